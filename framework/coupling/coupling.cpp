@@ -1,0 +1,246 @@
+#include "coupling/coupling.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "coupling/cell_map.h"
+#include "coupling/deposit.h"
+#include "coupling/exchange_coefficient.h"
+#include "coupling/smoothing.h"
+
+namespace similitude {
+
+namespace {
+
+double smoothing_length_of(const ModelScene& scene) {
+  if (scene.smoothing_length) return *scene.smoothing_length;
+  double largest = 0;
+  for (const ParticleClass& type : scene.particles) largest = std::max(largest, type.diameter);
+  return 3 * largest;
+}
+
+std::ptrdiff_t signed_size(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
+
+/// Sums of rows in blocks of fixed size: the same bits for any number of threads.
+class BlockSum {
+ public:
+  std::array<double, 3> operator()(const Column<Row>& rows) {
+    constexpr std::size_t k_block = 1024;
+    const std::size_t blocks = (rows.size() + k_block - 1) / k_block;
+    partial_.resize(blocks);
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t b = 0; b < signed_size(blocks); ++b) {
+      const auto block = static_cast<std::size_t>(b);
+      Row sum;
+      for (std::size_t p = block * k_block; p < std::min(rows.size(), (block + 1) * k_block); ++p) {
+        sum.x += rows[p].x;
+        sum.y += rows[p].y;
+        sum.z += rows[p].z;
+      }
+      partial_[block] = sum;
+    }
+    std::array<double, 3> total{};
+    for (const Row& sum : partial_) {
+      total[0] += sum.x;
+      total[1] += sum.y;
+      total[2] += sum.z;
+    }
+    return total;
+  }
+
+ private:
+  std::vector<Row> partial_;
+};
+
+/// Three columns of a cell field as the first three of each row; the fourth becomes zero.
+void read_columns(const Column<double>& columns, CellRows& rows) {
+  const std::size_t cells = rows.size();
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    rows[c] = {columns[c], columns[cells + c], columns[2 * cells + c], 0};
+  }
+}
+
+void write_columns(const CellRows& rows, double factor, Column<double>& columns) {
+  const std::size_t cells = rows.size();
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    columns[c] = factor * rows[c].x;
+    columns[cells + c] = factor * rows[c].y;
+    columns[2 * cells + c] = factor * rows[c].z;
+  }
+}
+
+double sphere_volume(double radius) { return 4.0 / 3 * std::numbers::pi * (radius * radius * radius); }
+
+}  // namespace
+
+struct Coupling::Parts {
+  Parts(const ModelScene& scene, const Grid& grid, const DragModel& law, bool is_coupled)
+      : coupled(is_coupled), length(smoothing_length_of(scene)), gas_density(scene.gas_density), gravity(scene.gravity), map(grid),
+        smoothing(map, is_coupled ? length : 0), deposit(map), drag(scene, map, law), volume(map.cell_count()), at_cells(map.cell_count()),
+        sizes(drag.needs_sauter_diameter() ? map.cell_count() : 0) {}
+
+  bool coupled;
+  double length;                    // [m]
+  double gas_density;               // [kg/m^3]
+  std::array<double, 3> gravity;    // [m/s^2]
+  CellMap map;
+  Smoothing smoothing;
+  Deposit deposit;
+  ExchangeCoefficient drag;
+  CellRows volume;                  // impulse owed [N s] and solids volume [m^3]
+  CellRows at_cells;                // gas as particles see it, or K v and K
+  CellRows sizes;                   // sum d^3, sum d^2; only if the drag law wants the Sauter diameter
+  BlockSum sum;
+  std::array<double, 3> pending{};  // [kg m/s]
+  std::size_t accounts_opened = 0;
+  std::uint64_t accounts_left = 0;
+
+  void deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction);
+  void deposit_sizes(const ParticleStore& particles);
+};
+
+/// Solids volume and the impulse owed travel together, since both are known before the drag law is asked.
+void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction) {
+  deposit.sort(particles.position);
+  deposit.spread(
+      particles.position,
+      [&](std::size_t p) {
+        const Row& received_less_charged = particles.drag_impulse[p];
+        return Row{-received_less_charged.x, -received_less_charged.y, -received_less_charged.z,
+                   sphere_volume(particles.position[p].w)};
+      },
+      volume);
+  smoothing.apply(volume);
+  const double cell_volume = map.cell_volume();
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(volume.size()); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    gas_fraction[c] = 1 - volume[c].w / cell_volume;
+  }
+}
+
+void Coupling::Parts::deposit_sizes(const ParticleStore& particles) {
+  if (!drag.needs_sauter_diameter()) return;
+  deposit.spread(
+      particles.position,
+      [&](std::size_t p) {
+        const double d = drag.drag_diameter(particles, p), solids = drag.displaced_volume(particles, p);
+        return Row{solids, solids / d, 0, 0};   // pi/6 of the sums of d^3 and d^2
+      },
+      sizes);
+  smoothing.apply(sizes);
+}
+
+Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled)
+    : parts_(std::make_unique<Parts>(scene, grid, drag, coupled)) {
+  const std::size_t cells = grid.cell_count();
+  fields_.gas_fraction.assign(cells, 1.0);
+  fields_.gas_fraction_old.assign(cells, 1.0);
+  fields_.exchange.assign(cells, 0.0);
+  fields_.exchange_velocity.assign(3 * cells, 0.0);
+  fields_.remainder.assign(3 * cells, 0.0);
+}
+
+Coupling::~Coupling() = default;
+
+void Coupling::start(const ParticleStore& particles) {
+  if (parts_->coupled) {
+    parts_->deposit_solids(particles, fields_.gas_fraction);
+    fields_.gas_fraction_old = fields_.gas_fraction;
+  }
+  parts_->pending = {};
+  parts_->accounts_opened = particles.size();
+  parts_->accounts_left = 0;
+}
+
+void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt) {
+  Parts& parts = *parts_;
+  const std::size_t cells = parts.map.cell_count();
+  if (parts.coupled) {
+    fields_.gas_fraction_old.swap(fields_.gas_fraction);
+    parts.deposit_solids(particles, fields_.gas_fraction);
+    write_columns(parts.volume, 1 / (parts.map.cell_volume() * dt), fields_.remainder);
+    parts.deposit_sizes(particles);
+  } else if (parts.drag.needs_sauter_diameter()) {
+    parts.deposit.sort(particles.position);
+    parts.deposit_sizes(particles);
+  }
+
+  read_columns(gas.velocity, parts.at_cells);
+  parts.smoothing.apply(parts.at_cells);
+  // The gas fraction is smooth already, so particles see it through the tent alone.
+  for (std::size_t c = 0; c < cells; ++c) parts.at_cells[c].w = fields_.gas_fraction[c];
+  parts.drag.evaluate(particles, parts.at_cells, parts.sizes);
+  if (!parts.coupled) return;
+
+  parts.deposit.spread(
+      particles.position,
+      [&](std::size_t p) {
+        const double k = particles.gas[p].w;
+        const Row& v = particles.velocity[p];
+        return Row{k * v.x, k * v.y, k * v.z, k};
+      },
+      parts.at_cells);
+  parts.smoothing.apply(parts.at_cells);
+  const double per_volume = 1 / parts.map.cell_volume();
+  write_columns(parts.at_cells, per_volume, fields_.exchange_velocity);
+  for (std::size_t c = 0; c < cells; ++c) fields_.exchange[c] = per_volume * parts.at_cells[c].w;
+}
+
+void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, double dt) {
+  Parts& parts = *parts_;
+  CellRows& velocity = parts.at_cells;
+  CellRows& stress = parts.volume;
+  read_columns(gas.velocity, velocity);
+  read_columns(gas.stress_force, stress);
+  parts.smoothing.apply(velocity);
+  parts.smoothing.apply(stress);
+  const auto& g = parts.gravity;
+
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(particles.size()); ++i) {
+    const auto p = static_cast<std::size_t>(i);
+    const Stencil stencil = parts.map.stencil(particles.position[p]);
+    const Row u = gather(stencil, velocity);
+    const Row force = gather(stencil, stress);
+    const double displaced = parts.drag.displaced_volume(particles, p);
+    const double k = particles.gas[p].w;
+    const Row& v = particles.velocity[p];
+    particles.gas[p] = {u.x, u.y, u.z, k};
+    particles.stress_force[p] = {displaced * (force.x - parts.gas_density * g[0]),
+                                 displaced * (force.y - parts.gas_density * g[1]),
+                                 displaced * (force.z - parts.gas_density * g[2]), 0};
+    const double charge = parts.coupled ? -k * dt : 0;
+    particles.drag_impulse[p] = {charge * (u.x - v.x), charge * (u.y - v.y), charge * (u.z - v.z), 0};
+  }
+  parts.accounts_opened = particles.size();
+  settle_accounts(particles);
+}
+
+void Coupling::settle_accounts(const ParticleStore& particles) {
+  if (!parts_->coupled) return;
+  const std::array<double, 3> received_less_charged = parts_->sum(particles.drag_impulse);
+  for (std::size_t axis = 0; axis < 3; ++axis) parts_->pending[axis] = -received_less_charged[axis];
+  parts_->accounts_left += parts_->accounts_opened - particles.size();
+  parts_->accounts_opened = particles.size();
+}
+
+std::array<double, 3> Coupling::pending_momentum() const { return parts_->pending; }
+
+std::uint64_t Coupling::accounts_left() const { return parts_->accounts_left; }
+
+double Coupling::smallest_gas_fraction(std::size_t* cell) const {
+  const auto smallest = std::min_element(fields_.gas_fraction.begin(), fields_.gas_fraction.end());
+  if (cell) *cell = static_cast<std::size_t>(smallest - fields_.gas_fraction.begin());
+  return *smallest;
+}
+
+double Coupling::smoothing_length() const { return parts_->length; }
+
+int Coupling::smoothing_steps() const { return parts_->smoothing.steps(); }
+
+}  // namespace similitude

@@ -1,0 +1,92 @@
+#pragma once
+/// Every plugin this process knows: found, checked, loaded once and never unloaded.
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <similitude/abi.h>
+
+namespace similitude {
+
+/// A plugin is missing or was refused. Exit status 3. Message as InputError's: what is wrong, then an indented fix.
+class PluginError : public std::runtime_error {
+ public:
+  explicit PluginError(const std::string& what, const std::string& fix = "");
+};
+
+/// A folder that is searched for plugins, and why. Nearer levels come first and win.
+struct SearchLevel {
+  std::string name;                // "plugin_paths of the case", "SIMILITUDE_PLUGIN_PATH", "user folder", …
+  std::filesystem::path folder;
+};
+
+struct PluginEntry {
+  const similitude_descriptor* descriptor = nullptr;   // for ever
+  std::filesystem::path file;                          // absolute
+  std::string level;                                   // name of its SearchLevel
+  std::string hides;                                   // file of the same kind and id at a farther level, or ""
+};
+
+/// A library that was not taken, and why.
+struct RefusedFile {
+  std::filesystem::path file;
+  std::string reason;   // both sides printed
+  std::string fix;
+};
+
+/// A created model: functions and instance. Movable; destroys the instance, never the library.
+template <class Functions>
+class Model {
+ public:
+  Model() = default;
+  Model(const similitude_descriptor& descriptor, void* instance)
+      : descriptor_(&descriptor), instance_(instance, descriptor.destroy) {}
+  explicit operator bool() const { return descriptor_ != nullptr; }
+  const similitude_descriptor& descriptor() const { return *descriptor_; }
+  const Functions& functions() const { return *static_cast<const Functions*>(descriptor_->functions); }
+  void* instance() const { return instance_.get(); }
+
+ private:
+  const similitude_descriptor* descriptor_ = nullptr;
+  std::unique_ptr<void, void (*)(void*)> instance_{nullptr, nullptr};
+};
+using ContactModel = Model<similitude_contact_functions>;
+using DragModel = Model<similitude_drag_functions>;
+using FluidModel = Model<similitude_fluid_functions>;
+using ScalingModel = Model<similitude_scaling_functions>;
+using EffectModel = Model<similitude_effect_functions>;
+
+class Catalogue {
+ public:
+  /// Looks at every file in the levels' folders. A refused file is remembered, not fatal; the same kind and id twice at
+  /// one level throws PluginError naming both files.
+  explicit Catalogue(const std::vector<SearchLevel>& levels);
+  /// Plugins that are already there: compiled in, or made up by a test. Nothing is searched and nothing is checked.
+  explicit Catalogue(std::vector<PluginEntry> plugins);
+
+  /// In the order of kind, then id.
+  const std::vector<PluginEntry>& plugins() const { return plugins_; }
+  const std::vector<RefusedFile>& refused() const { return refused_; }
+  std::vector<std::string> ids(const std::string& kind) const;
+  /// Null if there is none.
+  const PluginEntry* find(const std::string& kind, const std::string& id) const;
+  /// "there is no drag model "gidaspo". Did you mean …" with the models found and the refused files that may contain it.
+  [[noreturn]] void throw_no_such_model(const std::string& kind, const std::string& id) const;
+
+ private:
+  std::vector<PluginEntry> plugins_;
+  std::vector<RefusedFile> refused_;
+};
+
+/// The levels of DESIGN: the case's plugin_paths, SIMILITUDE_PLUGIN_PATH, user folder, install folder, build tree.
+std::vector<SearchLevel> search_levels(const std::vector<std::filesystem::path>& plugin_paths_of_case);
+
+/// Creates a model with one row of values per set. Throws PluginError with the plugin's own words on refusal.
+template <class Functions>
+Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed, const std::vector<similitude_value>& values,
+                              std::uint32_t sets = 1);
+
+}  // namespace similitude

@@ -1,0 +1,27 @@
+#pragma once
+/// The folder of one run.
+
+#include <filesystem>
+#include <string>
+
+namespace similitude {
+
+class OutputDirectory {
+ public:
+  /// Creates the folder and the folders above it. If it holds an earlier run: with `force` that run's own files are removed
+  /// (and nothing else), without it InputError (scene/messages.h). InputError too if the folder cannot be made or written to.
+  OutputDirectory(const std::filesystem::path& path, bool force);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+  /// A folder inside, created if needed. Throws OutputError (output/whole_file.h).
+  std::filesystem::path subfolder(const std::string& name) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Does the folder hold files of a run? What `--force` asks about.
+bool holds_a_run(const std::filesystem::path& folder);
+
+}  // namespace similitude

@@ -1,0 +1,81 @@
+#pragma once
+/// The discrete element method: neighbour lists, contacts in blocks, walls, integration. One call advances all particles
+/// by a number of sub-steps.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "loader/catalogue.h"
+#include "particles/store.h"
+#include "scene/scene.h"
+
+namespace similitude {
+
+/// What the walls of the simulated bed are to particles.
+struct Openings {
+  /// Rectangles of the domain's faces through which particles leave (pressure patches).
+  std::vector<Patch> outlets;
+};
+
+struct EngineOptions {
+  double dt = 0;                               // [s]
+  std::array<double, 3> gravity{};             // [m/s^2], already with buoyancy if there is a gas
+  double skin = 0;                             // [m], 0: chosen from the diameter
+  double velocity_damping = 0;                 // [1/s], for settling only
+};
+
+/// A particle that must stop the run, or a warning. Ids, not rows.
+struct ContactExtreme {
+  double overlap_ratio = 0;                    // [-], overlap over the smaller diameter
+  std::uint64_t particle = 0, partner = 0;     // partner: id, or ~0 for a wall
+  std::array<double, 3> place{};               // [m]
+};
+
+struct EngineReport {
+  std::uint64_t particle_steps = 0;            // since construction
+  std::uint64_t rebuilds = 0;
+  std::uint64_t removed = 0;                   // left through outlets since construction
+  double removed_mass = 0;                     // [kg], simulated
+  double removed_volume = 0;                   // [m^3], of what the removed particles displaced, parcel weight not applied
+  std::size_t contacts = 0;                    // touching pairs and wall contacts in the last sub-step
+  ContactExtreme largest_overlap;              // since the last call of advance() began
+  double largest_speed = 0;                    // [m/s], at the end of the last advance()
+};
+
+/// A stage's share of the time, for timing.json.
+struct StageTime {
+  std::string name;
+  double seconds = 0;
+};
+
+class Engine {
+ public:
+  /// The scene gives walls, baffles, periodic directions and domain. The law stays alive with the engine.
+  Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// Advances by `sub_steps`. Deterministic for any number of threads. Throws SimulationError (particles/errors.h) on a
+  /// non-finite position or force (with particle id, place and step).
+  void advance(std::int64_t sub_steps);
+  /// Changes dt or damping, e.g. when settling ends. History is kept.
+  void set_options(const EngineOptions& options);
+
+  const EngineReport& report() const;
+  std::vector<StageTime> stage_times() const;
+  /// The passes of a sub-step in order, for the printed pipeline.
+  std::vector<std::string> passes() const;
+  /// Bytes of lists and history, as allocated.
+  std::size_t list_bytes() const;
+  std::size_t history_bytes() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace similitude

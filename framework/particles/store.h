@@ -1,0 +1,64 @@
+#pragma once
+/// Particles as packed rows: what a contact touches lies in one cache line. Optional rows exist only if a law or the
+/// coupling asked for them at construction.
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace similitude {
+
+/// 64-byte aligned storage, so that rows and columns meet the vector width.
+template <class T>
+struct CacheAligned {
+  using value_type = T;
+  CacheAligned() = default;
+  template <class U>
+  CacheAligned(const CacheAligned<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t n) { ::operator delete(p, n * sizeof(T), std::align_val_t{64}); }
+  template <class U>
+  bool operator==(const CacheAligned<U>&) const { return true; }
+};
+template <class T>
+using Column = std::vector<T, CacheAligned<T>>;
+
+/// Four doubles that belong together. The fourth is named by each column below.
+struct alignas(32) Row {
+  double x = 0, y = 0, z = 0, w = 0;
+};
+
+/// What the particles carry beyond position, velocity and force.
+struct StoreFields {
+  bool rotation = false;    // angular velocity and torque
+  bool coupling = false;    // gas velocity, stress force, drag impulse
+};
+
+/// Particle rows. Row numbers change when the bed is sorted; `id` never does.
+struct ParticleStore {
+  explicit ParticleStore(StoreFields wanted = {}) : fields(wanted) {}
+
+  StoreFields fields;
+  Column<Row> position;           // x y z [m], w: radius [m]
+  Column<Row> velocity;           // vx vy vz [m/s], w: mass [kg]
+  Column<Row> force;              // of contacts [N], w: unused
+  Column<Row> angular_velocity;   // [rad/s], w: moment of inertia [kg m^2]; rotation only
+  Column<Row> torque;             // [N m]; rotation only
+  Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
+  Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
+  Column<Row> drag_impulse;       // [N s], received since the last exchange; coupling only
+  Column<std::uint64_t> id;       // for ever
+  Column<std::uint32_t> species;  // index into the scene's particle classes
+
+  std::size_t size() const { return position.size(); }
+  void reserve(std::size_t n);
+  /// Adds a particle at rest; the row is valid until the next sort. `drag` rows start at zero.
+  std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
+  /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
+  void reorder(const std::vector<std::uint32_t>& order);
+  /// Bytes of one particle's rows, as allocated.
+  std::size_t bytes_per_particle() const;
+};
+
+}  // namespace similitude

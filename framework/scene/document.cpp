@@ -1,0 +1,158 @@
+#include "scene/document.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <yaml-cpp/yaml.h>
+
+#include "scene/messages.h"
+
+namespace similitude {
+namespace {
+
+// An alias that contains itself would never end.
+constexpr int k_deepest = 50;
+
+SourceMark mark_of(const std::string& file, const YAML::Mark& mark) {
+  if (file == "--set" || mark.is_null()) return {file, 0, 0};
+  return {file, mark.line + 1, mark.column + 1};
+}
+
+std::string joined(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
+
+DocumentNode convert(const YAML::Node& yaml, const std::string& file, const std::string& path, int depth) {
+  DocumentNode node;
+  node.mark = mark_of(file, yaml.Mark());
+  if (depth > k_deepest) throw InputError(node.mark, path, "nested too deeply.", "Does an alias contain itself?");
+  if (yaml.IsScalar()) {
+    node.kind = DocumentNode::Kind::scalar;
+    node.text = yaml.Scalar();
+  } else if (yaml.IsSequence()) {
+    node.kind = DocumentNode::Kind::list;
+    for (const YAML::Node& item : yaml)
+      node.items.push_back(convert(item, file, joined(path, std::to_string(node.items.size())), depth + 1));
+  } else if (yaml.IsMap()) {
+    node.kind = DocumentNode::Kind::map;
+    for (const auto& entry : yaml) {
+      const SourceMark mark = mark_of(file, entry.first.Mark());
+      if (!entry.first.IsScalar()) throw InputError(mark, path, "a key must be a word.");
+      const std::string key = entry.first.Scalar();
+      for (const DocumentNode::Key& other : node.keys)
+        if (other.name == key)
+          throw InputError(mark, joined(path, key),
+                           other.mark.line > 0 ? "this key was given before, in line " + std::to_string(other.mark.line) + "."
+                                               : "this key is given twice.",
+                           "Keep one of the two.");
+      node.keys.push_back({key, mark});
+      node.items.push_back(convert(entry.second, file, joined(path, key), depth + 1));
+    }
+  }
+  return node;
+}
+
+YAML::Node parse(const std::string& text, const std::string& file) {
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& problem) {
+    throw InputError(mark_of(file, problem.mark), "", "this is not YAML: " + problem.msg + ".",
+                     "Look for a missing bracket, colon or blank, or a tab used to indent.");
+  }
+}
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  return parts;
+}
+
+/// The item of a list or map that one part of a path means, or null.
+const DocumentNode* child(const DocumentNode& node, const std::string& part) {
+  if (!node.is_list()) return node.find(part);
+  const bool number = !part.empty() && part.size() < 6 && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const std::size_t index = number ? std::stoul(part) : node.items.size();
+  return index < node.items.size() ? &node.items[index] : nullptr;
+}
+
+}  // namespace
+
+const DocumentNode* DocumentNode::find(const std::string& key) const {
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (keys[i].name == key) return &items[i];
+  return nullptr;
+}
+
+DocumentNode* DocumentNode::find(const std::string& key) {
+  return const_cast<DocumentNode*>(static_cast<const DocumentNode*>(this)->find(key));
+}
+
+std::string DocumentNode::described() const {
+  switch (kind) {
+    case Kind::nothing: return "nothing";
+    case Kind::scalar: return "\"" + text + "\"";
+    case Kind::list: return "a list";
+    case Kind::map: return "a map of keys";
+  }
+  return "";
+}
+
+Document::Document(const std::filesystem::path& file) {
+  std::error_code problem;
+  if (!std::filesystem::exists(file, problem)) throw InputError(file.string() + ": there is no such file.");
+  std::ifstream stream(file);
+  std::ostringstream text;
+  if (std::filesystem::is_directory(file, problem) || !(text << stream.rdbuf()))
+    throw InputError(file.string() + ": this is no file that can be read as a case.",
+                     "Give the path of a case file, such as configs/quickstart.yaml.");
+  root_ = convert(parse(text.str(), file.string()), file.string(), "", 0);
+  root_.mark.file = file.string();
+  if (!root_.is_map())
+    throw InputError(root_.mark, "", "a case file is a map of keys, but this is " + root_.described() + ".",
+                     "Start with the line similitude: 1.");
+}
+
+void Document::set(const std::string& assignment) {
+  const SourceMark mark{"--set", 0, 0};
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InputError(mark, "", "\"" + assignment + "\" is not of the form key=value.",
+                     "Write for example --set models.scaling.geometry=0.5.");
+  const std::string path = assignment.substr(0, equals);
+  DocumentNode* node = &root_;
+  std::string walked;
+  for (const std::string& part : split(path)) {
+    if (part.empty()) throw InputError(mark, path, "a part of this path is empty.", "Write for example models.scaling.geometry.");
+    if (node->is_scalar()) {
+      // The short form of a model: drag: gidaspow.
+      DocumentNode id = *node;
+      *node = {DocumentNode::Kind::map, mark, "", {{"id", id.mark}}, {id}};
+    }
+    if (node->kind == DocumentNode::Kind::nothing) *node = {DocumentNode::Kind::map, mark, "", {}, {}};
+    auto* next = const_cast<DocumentNode*>(child(*node, part));
+    if (next == nullptr) {
+      if (node->is_list())
+        throw InputError(mark, path, walked + " is a list of " + std::to_string(node->items.size()) + " and has no item " + part + ".",
+                         "Items are counted from 0.");
+      node->keys.push_back({part, mark});
+      node->items.push_back({DocumentNode::Kind::nothing, mark, "", {}, {}});
+      next = &node->items.back();
+    }
+    node = next;
+    walked = joined(walked, part);
+  }
+  *node = convert(parse(assignment.substr(equals + 1), "--set"), "--set", path, 0);
+  node->mark = mark;
+}
+
+SourceMark Document::mark(const std::string& path) const {
+  const DocumentNode* node = &root_;
+  for (const std::string& part : split(path)) {
+    const DocumentNode* next = child(*node, part);
+    if (next == nullptr) break;
+    node = next;
+  }
+  return node->mark;
+}
+
+}  // namespace similitude

@@ -1,0 +1,71 @@
+#pragma once
+/// The number type of a law: a `double`, or a Pack of as many doubles as the processor handles at once. A law is a
+/// template over it and is written once. What differs from plain C++: there is no `if` on a Pack, use select().
+///
+/// sqrt, exp, log, pow, abs, min and max have the same names for both. exp, log and pow go lane by lane through the
+/// standard library, so a lane's result never depends on its neighbours.
+
+#include <cmath>
+#include <experimental/simd>
+
+#include <similitude/abi.h>
+#include <similitude/vec3.h>
+
+namespace similitude {
+
+using Pack = std::experimental::native_simd<double>;
+using Mask = Pack::mask_type;
+static_assert(SIMILITUDE_ROW_MULTIPLE % Pack::size() == 0, "a block has no remainder rows");
+
+using std::abs;
+using std::exp;
+using std::log;
+using std::pow;
+using std::sqrt;
+using std::experimental::abs;
+using std::experimental::exp;
+using std::experimental::log;
+using std::experimental::pow;
+using std::experimental::sqrt;
+
+inline double min(double a, double b) { return b < a ? b : a; }
+inline double max(double a, double b) { return a < b ? b : a; }
+inline Pack min(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
+inline Pack max(const Pack& a, const Pack& b) { return std::experimental::max(a, b); }
+
+/// `yes` where the condition holds, `no` elsewhere. Both are evaluated.
+inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+inline Pack select(const Mask& condition, const Pack& yes, const Pack& no) {
+  Pack chosen = no;
+  where(condition, chosen) = yes;
+  return chosen;
+}
+template <class M, class V>
+Vec3<V> select(const M& condition, const Vec3<V>& yes, const Vec3<V>& no) {
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
+}
+
+/// The length of a vector. The argument of the root scales by an even power, so a bed scaled by powers of two keeps
+/// its bits.
+template <class V>
+V magnitude(const Vec3<V>& a) {
+  return sqrt(dot(a, a));
+}
+
+/// Columns of a block are 64-byte aligned and `row` is a multiple of the pack.
+inline Pack load(const double* column, std::size_t row) {
+  return Pack(column + row, std::experimental::vector_aligned);
+}
+inline void store(const Pack& value, double* column, std::size_t row) {
+  value.copy_to(column + row, std::experimental::vector_aligned);
+}
+inline Vec3<Pack> load(const double* const column[3], std::size_t row) {
+  return {load(column[0], row), load(column[1], row), load(column[2], row)};
+}
+inline void store(const Vec3<Pack>& value, double* const column[3], std::size_t row) {
+  store(value.x, column[0], row);
+  store(value.y, column[1], row);
+  store(value.z, column[2], row);
+}
+
+}  // namespace similitude

@@ -1,0 +1,37 @@
+#pragma once
+/// Which models meet in a case: every plugin created, the real bed scaled to the simulated one. Done once, at start.
+
+#include <memory>
+#include <vector>
+
+#include "fluid/grid.h"
+#include "loader/catalogue.h"
+#include "scene/scene.h"
+#include "similarity/ratios.h"
+
+namespace similitude {
+
+struct Assembly {
+  RealScene real;
+  ModelScene model;
+  similitude_ratios ratios{};
+  ResultRatios results;
+  std::unique_ptr<Grid> grid;            // of the simulated bed; outlives the fluid model's use of it
+  ScalingModel scaling;
+  ContactModel contact;
+  DragModel drag;
+  FluidModel fluid;
+  similitude_contact_needs contact_needs{};
+  std::vector<PluginEntry> plugins;      // in use, for the manifest
+
+  bool coupled() const { return fluid.functions().sees_particles != 0; }
+};
+
+/// Creates the models of the scene and the simulated bed. Throws InputError for a scene that does not fit its cells and
+/// PluginError for a model that is missing or refuses its parameters.
+Assembly assemble(const RealScene& scene, const Catalogue& catalogue);
+
+/// The contact law with its stiffness multiplied, for settling only.
+ContactModel softened_contact(const Assembly& assembly, double stiffness_factor);
+
+}  // namespace similitude

@@ -1,0 +1,74 @@
+#include "stepper/guards.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "particles/errors.h"
+
+namespace similitude {
+namespace {
+
+constexpr double k_overlap_to_warn = 0.05;       // of a diameter: a softer bed than the law was meant for
+constexpr double k_overlap_to_stop = 0.30;       // of a diameter: no sphere is left
+constexpr double k_courant_to_stop = 1.0;        // explicit advection is unbounded beyond
+constexpr double k_mass_residual_to_warn = 1e-5; // of the throughput, per step
+constexpr double k_smallest_gas_fraction = 0.10; // denser than any packing of overlapping spheres that means something
+
+std::string at(std::array<double, 3> place, const ResultRatios& ratios) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * place[0] / ratios.length, 1e3 * place[1] / ratios.length,
+                     1e3 * place[2] / ratios.length);
+}
+
+}  // namespace
+
+void Guards::warn_once(bool& said, const std::string& text) {
+  if (said) return;
+  said = true;
+  warn_(text);
+}
+
+void Guards::check_particles(const EngineReport& report, double time) {
+  const ContactExtreme& extreme = report.largest_overlap;
+  if (!(extreme.overlap_ratio > k_overlap_to_warn)) return;
+  const bool wall = extreme.partner == std::numeric_limits<std::uint64_t>::max();
+  const std::string what =
+      fmt::format("particle {} overlaps {} by {:.1f} % of its diameter at {}, t = {:.6g} s", extreme.particle,
+                  wall ? std::string("a wall") : fmt::format("particle {}", extreme.partner), 100 * extreme.overlap_ratio,
+                  at(extreme.place, ratios_), time / ratios_.time);
+  if (extreme.overlap_ratio > k_overlap_to_stop) {
+    throw SimulationError(what + ": spheres no longer mean anything there.",
+                          "The spring is too soft for these speeds or the step too long: raise models.contact.stiffness (the "
+                          "overlap falls with its square root) or use time.dt: auto.");
+  }
+  warn_once(said_overlap_, what + ": above 5 %. Raise models.contact.stiffness if that matters here.");
+}
+
+void Guards::check_gas(const similitude_gas_report& report, const similitude_status& status, double time) {
+  if (status.code != 0) {
+    throw SimulationError(fmt::format("the gas solver stopped at t = {:.6g} s: {}", time / ratios_.time, status.text), "");
+  }
+  if (!std::isfinite(report.courant) || !std::isfinite(report.mass_residual)) {
+    throw SimulationError(fmt::format("the gas is not finite at t = {:.6g} s.", time / ratios_.time),
+                          "Lower time.gas_dt; if that does not help, look at fluid.pvd just before.");
+  }
+  if (report.courant > k_courant_to_stop) {
+    throw SimulationError(fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; more than {} is unstable.",
+                                      report.courant, time / ratios_.time, k_courant_to_stop),
+                          fmt::format("Lower time.gas_dt by a factor {:.1f} or more.", report.courant / 0.5));
+  }
+  if (report.mass_residual > k_mass_residual_to_warn) {
+    warn_once(said_mass_, fmt::format("gas mass balance is off by {:.2g} of the throughput in one step at t = {:.6g} s",
+                                      report.mass_residual, time / ratios_.time));
+  }
+}
+
+void Guards::check_gas_fraction(double smallest, std::array<double, 3> place, double time) {
+  if (smallest > k_smallest_gas_fraction) return;
+  throw SimulationError(fmt::format("the gas fraction is {:.3f} at {}, t = {:.6g} s: particles have piled into each other.",
+                                    smallest, at(place, ratios_), time / ratios_.time),
+                        "Raise models.contact.stiffness, or scene.coupling.smoothing if particles are larger than cells.");
+}
+
+}  // namespace similitude

@@ -1,0 +1,150 @@
+#include "stepper/simulation.h"
+
+#include <chrono>
+
+namespace similitude {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::array<double, 3> cell_centre(const Grid& grid, std::size_t cell) {
+  const auto nx = static_cast<std::size_t>(grid.cells(0));
+  const auto ny = static_cast<std::size_t>(grid.cells(1));
+  return {(static_cast<double>(cell % nx) + 0.5) * grid.spacing(0),
+          (static_cast<double>(cell / nx % ny) + 0.5) * grid.spacing(1),
+          (static_cast<double>(cell / (nx * ny)) + 0.5) * grid.spacing(2)};
+}
+
+}  // namespace
+
+Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, ParticleStore particles,
+                       std::function<void(const std::string&)> warn)
+    : assembly_(assembly), steps_(steps), particles_(std::move(particles)), guards_(assembly.results, std::move(warn)) {
+  const std::size_t cells = assembly.grid->cell_count();
+  gas_.velocity.assign(3 * cells, 0);
+  gas_.pressure.assign(cells, 0);
+  gas_.stress_force.assign(3 * cells, 0);
+  if (!assembly.coupled()) {
+    unit_fraction_.assign(cells, 1);
+    no_exchange_.assign(3 * cells, 0);
+  }
+
+  coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled());
+  coupling_->start(particles_);
+
+  const similitude_gas_step fields = gas_step();
+  similitude_status status{};
+  assembly.fluid.functions().initialise(assembly.fluid.instance(), &assembly.grid->table(), &fields, &status);
+  guards_.check_gas(gas_report_, status, 0);
+
+  engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
+                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
+  assemble_stages();
+}
+
+similitude_gas_step Simulation::gas_step() {
+  similitude_gas_step step{};
+  step.struct_size = sizeof(step);
+  step.time = static_cast<double>(steps_done_ + 1) * steps_.gas_dt();
+  step.dt = steps_.gas_dt();
+  if (assembly_.coupled()) {
+    const ExchangeFields& exchange = coupling_->fields();
+    step.gas_fraction = exchange.gas_fraction.data();
+    step.gas_fraction_old = exchange.gas_fraction_old.data();
+    step.exchange = exchange.exchange.data();
+    step.exchange_velocity = exchange.exchange_velocity.data();
+    step.remainder = exchange.remainder.data();
+  } else {
+    step.gas_fraction = step.gas_fraction_old = unit_fraction_.data();
+    step.exchange = step.exchange_velocity = step.remainder = no_exchange_.data();
+  }
+  step.velocity = gas_.velocity.data();
+  step.pressure = gas_.pressure.data();
+  step.stress_force = gas_.stress_force.data();
+  return step;
+}
+
+void Simulation::advance_gas() {
+  const similitude_gas_step step = gas_step();
+  similitude_status status{};
+  gas_report_ = {};
+  gas_report_.struct_size = sizeof(gas_report_);
+  assembly_.fluid.functions().advance(assembly_.fluid.instance(), &step, &gas_report_, &status);
+  guards_.check_gas(gas_report_, status, step.time);
+}
+
+void Simulation::assemble_stages() {
+  const double gas_dt = steps_.gas_dt();
+  stages_.push_back({assembly_.coupled() ? "deposit" : "drag", [this, gas_dt] { coupling_->deposit(particles_, gas_, gas_dt); }});
+  if (assembly_.coupled()) {
+    stages_.push_back({"guard: gas fraction", [this] {
+                         std::size_t cell = 0;
+                         const double smallest = coupling_->smallest_gas_fraction(&cell);
+                         guards_.check_gas_fraction(smallest, cell_centre(*assembly_.grid, cell), time());
+                       }});
+  }
+  stages_.push_back({std::string("fluid: ") + assembly_.fluid.descriptor().id, [this] { advance_gas(); }});
+  stages_.push_back({"interpolate", [this, gas_dt] { coupling_->interpolate(particles_, gas_, gas_dt); }});
+  stages_.push_back({"particles", [this] { engine_->advance(steps_.sub_steps); }});
+  if (assembly_.coupled()) {
+    stages_.push_back({"settle accounts", [this] { coupling_->settle_accounts(particles_); }});
+  }
+  stages_.push_back({"guard: overlap", [this] { guards_.check_particles(engine_->report(), time() + steps_.gas_dt()); }});
+}
+
+void Simulation::step() {
+  for (Stage& stage : stages_) {
+    const auto start = std::chrono::steady_clock::now();
+    stage.work();
+    stage.seconds += seconds_since(start);
+  }
+  ++steps_done_;
+}
+
+std::array<double, 3> Simulation::momentum() const {
+  std::array<double, 3> total{gas_report_.momentum[0], gas_report_.momentum[1], gas_report_.momentum[2]};
+  for (const Row& velocity : particles_.velocity) {
+    total[0] += velocity.w * velocity.x;
+    total[1] += velocity.w * velocity.y;
+    total[2] += velocity.w * velocity.z;
+  }
+  const std::array<double, 3> pending = coupling_->pending_momentum();
+  for (std::size_t axis = 0; axis < 3; ++axis) total[axis] += pending[axis];
+  return total;
+}
+
+std::vector<StageTime> Simulation::stage_times() const {
+  std::vector<StageTime> times;
+  for (const Stage& stage : stages_) {
+    if (stage.name != "particles") {
+      times.push_back({stage.name, stage.seconds});
+      continue;
+    }
+    double accounted = 0;
+    for (StageTime part : engine_->stage_times()) {
+      accounted += part.seconds;
+      part.name = "particles: " + part.name;
+      times.push_back(part);
+    }
+    times.push_back({"particles: other", stage.seconds > accounted ? stage.seconds - accounted : 0});
+  }
+  return times;
+}
+
+std::vector<std::string> Simulation::pipeline() const {
+  std::vector<std::string> words;
+  for (const Stage& stage : stages_) {
+    if (stage.name != "particles") {
+      words.push_back(stage.name);
+      continue;
+    }
+    std::string inner = std::to_string(steps_.sub_steps) + " x [";
+    for (const std::string& pass : engine_->passes()) inner += (inner.back() == '[' ? "" : " -> ") + pass;
+    words.push_back(inner + "]");
+  }
+  return words;
+}
+
+}  // namespace similitude

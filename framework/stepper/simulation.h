@@ -1,0 +1,72 @@
+#pragma once
+/// The time loop's one step, assembled once: deposit solids, gas step, N DEM sub-steps, accounts, guards.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/coupling.h"
+#include "particles/engine.h"
+#include "stepper/assembly.h"
+#include "stepper/guards.h"
+#include "stepper/time_steps.h"
+
+namespace similitude {
+
+/// One entry of the step: what it is called in the printed pipeline and in timing.json, and what it does.
+struct Stage {
+  std::string name;
+  std::function<void()> work;
+  double seconds = 0;
+};
+
+class Simulation {
+ public:
+  /// `particles` is a filled bed at rest. All objects live on this one's side; the assembly must outlive it.
+  Simulation(const Assembly& assembly, const TimeSteps& steps, ParticleStore particles, std::function<void(const std::string&)> warn);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// One gas step and its sub-steps. Throws SimulationError when a guard trips.
+  void step();
+
+  std::int64_t steps_done() const { return steps_done_; }
+  double time() const { return static_cast<double>(steps_done_) * steps_.gas_dt(); }   // [s], simulated bed
+  const ParticleStore& particles() const { return particles_; }
+  const GasFields& gas() const { return gas_; }
+  const ExchangeFields* exchange() const { return coupling_ ? &coupling_->fields() : nullptr; }
+  const similitude_gas_report& gas_report() const { return gas_report_; }
+  const Engine& engine() const { return *engine_; }
+  const Coupling& coupling() const { return *coupling_; }
+  /// Total momentum of gas, particles and what is owed between them [kg m/s].
+  std::array<double, 3> momentum() const;
+
+  const std::vector<Stage>& stages() const { return stages_; }
+  /// Stage times with the engine's own stages in place of its total.
+  std::vector<StageTime> stage_times() const;
+  /// The pipeline in words, e.g. for the start of a run.
+  std::vector<std::string> pipeline() const;
+
+ private:
+  void assemble_stages();
+  similitude_gas_step gas_step();
+  void advance_gas();
+
+  const Assembly& assembly_;
+  TimeSteps steps_;
+  ParticleStore particles_;
+  GasFields gas_;
+  std::unique_ptr<Coupling> coupling_;
+  std::unique_ptr<Engine> engine_;
+  std::vector<double> no_exchange_;     // zeros that a given gas may read
+  std::vector<double> unit_fraction_;
+  similitude_gas_report gas_report_{};
+  Guards guards_;
+  std::vector<Stage> stages_;
+  std::int64_t steps_done_ = 0;
+};
+
+}  // namespace similitude

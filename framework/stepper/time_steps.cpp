@@ -1,0 +1,148 @@
+#include "stepper/time_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "scene/messages.h"
+
+namespace similitude {
+namespace {
+
+constexpr double k_steps_per_contact = 20;     // DEM: t_c/20, as Fluent and MFIX advise between 15 and 50
+constexpr double k_advised_courant = 0.5;      // the TVD advection's own bound
+constexpr double k_jet_overshoot = 1.5;        // gas between particles is faster than the inlet's superficial speed
+constexpr double k_motion_per_step = 0.1;      // of a diameter per sub-step, of a cell per gas step: lists and K stay valid
+constexpr double k_never = std::numeric_limits<double>::infinity();
+
+double smallest_spacing(const ModelScene& scene) { return *std::min_element(scene.cell.begin(), scene.cell.end()); }
+
+/// The speed a particle gains by falling through the domain: what an impact in a bed can reach without the gas.
+double free_fall_speed(const ModelScene& scene) {
+  const double gravity = std::hypot(scene.gravity[0], scene.gravity[1], scene.gravity[2]);
+  return std::sqrt(2 * gravity * scene.size[2]);
+}
+
+double largest_inlet_velocity(const ModelScene& scene) {
+  double speed = 0;
+  for (const auto& patch : scene.patches) {
+    if (patch.kind == PatchKind::velocity) speed = std::max(speed, std::abs(patch.velocity));
+  }
+  return speed;
+}
+
+TimeStepLimit contact_limit(const Assembly& assembly) {
+  TimeStepLimit limit{"contact time", fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact),
+                      StepKind::particles, k_never, k_never, false};
+  const auto& law = assembly.contact.functions();
+  void* model = assembly.contact.instance();
+  const double speed = free_fall_speed(assembly.model);
+  for (const auto& particles : assembly.model.particles) {
+    const double radius = particles.diameter / 2;
+    const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
+    const double effective_mass = mass / 2;
+    const double effective_radius = radius / 2;
+    limit.advised = std::min(limit.advised,
+                             law.contact_time(model, 0, effective_mass, effective_radius, speed) / k_steps_per_contact);
+    limit.hard = std::min(limit.hard, law.largest_stable_step(model, 0, effective_mass, effective_radius, speed));
+  }
+  return limit;
+}
+
+std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
+  const ModelScene& scene = assembly.model;
+  std::vector<TimeStepLimit> limits;
+  if (!scene.particles.empty()) {
+    limits.push_back(contact_limit(assembly));
+    double diameter = k_never;
+    for (const auto& particles : scene.particles) diameter = std::min(diameter, particles.diameter);
+    const double speed = free_fall_speed(scene);
+    if (speed > 0) {
+      limits.push_back({"particle motion", "a tenth of a diameter per sub-step at free-fall speed", StepKind::particles,
+                        k_motion_per_step * diameter / speed, k_never, false});
+      limits.push_back({"particle motion across cells", "a tenth of a cell per gas step at free-fall speed", StepKind::gas,
+                        k_motion_per_step * smallest_spacing(scene) / speed, k_never, false});
+    }
+  }
+  const double inlet = largest_inlet_velocity(scene);
+  if (assembly.coupled() && inlet > 0) {
+    limits.push_back({"gas CFL", fmt::format("Courant number {} at {} times the fastest inlet", k_advised_courant, k_jet_overshoot),
+                      StepKind::gas, k_advised_courant * smallest_spacing(scene) / (k_jet_overshoot * inlet),
+                      smallest_spacing(scene) / inlet, false});
+  }
+  if (assembly.fluid.functions().largest_stable_step != nullptr) {
+    const double stable = assembly.fluid.functions().largest_stable_step(assembly.fluid.instance(), &assembly.grid->table());
+    if (std::isfinite(stable) && stable > 0) {
+      limits.push_back({"gas viscosity", "explicit viscous stress", StepKind::gas, stable / 2, stable, false});
+    }
+  }
+  return limits;
+}
+
+/// The smallest advised limit that bounds a step of this kind; a gas step is never shorter than a sub-step, so gas limits
+/// bound both.
+TimeStepLimit* binding_limit(std::vector<TimeStepLimit>& limits, StepKind kind) {
+  TimeStepLimit* smallest = nullptr;
+  for (auto& limit : limits) {
+    if (kind == StepKind::gas && limit.kind != StepKind::gas) continue;
+    if (smallest == nullptr || limit.advised < smallest->advised) smallest = &limit;
+  }
+  return smallest;
+}
+
+void check_against_limits(double step, StepKind kind, const SourceMark& mark, const std::string& path,
+                          const Assembly& assembly, TimeSteps& steps) {
+  const double to_real = 1 / assembly.results.time;
+  for (const auto& limit : steps.limits) {
+    if (kind == StepKind::gas && limit.kind != StepKind::gas) continue;
+    if (step > limit.hard) {
+      throw InputError(mark, path,
+                       fmt::format("{:.3g} s is beyond the hard limit of {:.3g} s ({}: {})", step * to_real,
+                                   limit.hard * to_real, limit.name, limit.because),
+                       fmt::format("Set {}: auto, or at most {:.3g} s.", path, limit.advised * to_real));
+    }
+    if (step > limit.advised * (1 + 1e-9)) {
+      steps.warnings.push_back(fmt::format("{}: {:.3g} s is above the advised {:.3g} s ({}: {})", path, step * to_real,
+                                           limit.advised * to_real, limit.name, limit.because));
+    }
+  }
+}
+
+}  // namespace
+
+TimeSteps choose_time_steps(const Assembly& assembly) {
+  TimeSteps steps;
+  steps.limits = all_limits(assembly);
+  const TimeControl& time = assembly.model.time;
+  if (steps.limits.empty() && !time.dt) {
+    throw InputError(time.mark, "time.dt", "there is nothing to take a time step from (no particles, inlets or viscosity)",
+                     "Give time.dt, e.g. time.dt: 1e-5 s.");
+  }
+
+  if (time.dt) {
+    steps.dt = *time.dt;
+    check_against_limits(steps.dt, StepKind::particles, time.dt_mark, "time.dt", assembly, steps);
+  } else {
+    TimeStepLimit* binding = binding_limit(steps.limits, StepKind::particles);
+    binding->binding = true;
+    steps.dt = binding->advised;
+    if (time.gas_dt) steps.dt = std::min(steps.dt, *time.gas_dt);
+  }
+
+  double gas_dt = steps.dt;
+  if (time.gas_dt) {
+    gas_dt = *time.gas_dt;
+    check_against_limits(gas_dt, StepKind::gas, time.gas_dt_mark, "time.gas_dt", assembly, steps);
+  } else if (TimeStepLimit* binding = binding_limit(steps.limits, StepKind::gas)) {
+    binding->binding = true;
+    gas_dt = binding->advised;
+  }
+  // Whole number of sub-steps: rounded down, so that the gas step never exceeds what was chosen.
+  steps.sub_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(gas_dt / steps.dt * (1 + 1e-9))));
+  return steps;
+}
+
+}  // namespace similitude
