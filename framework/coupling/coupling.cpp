@@ -80,7 +80,7 @@ double sphere_volume(double radius) { return 4.0 / 3 * std::numbers::pi * (radiu
 struct Coupling::Parts {
   Parts(const ModelScene& scene, const Grid& grid, const DragModel& law, bool is_coupled)
       : coupled(is_coupled), length(smoothing_length_of(scene)), gas_density(scene.gas_density), gravity(scene.gravity), map(grid),
-        smoothing(map, is_coupled ? length : 0), deposit(map), drag(scene, map, law), volume(map.cell_count()), at_cells(map.cell_count()),
+        smoothing(map, is_coupled ? length : 0), deposit(map), drag(scene, map, law), solids(map.cell_count()), at_cells(map.cell_count()),
         sizes(drag.needs_sauter_diameter() ? map.cell_count() : 0) {}
 
   bool coupled;
@@ -91,7 +91,7 @@ struct Coupling::Parts {
   Smoothing smoothing;
   Deposit deposit;
   ExchangeCoefficient drag;
-  CellRows volume;                  // impulse owed [N s] and solids volume [m^3]
+  CellRows solids;                  // impulse owed [N s] and solids volume [m^3]
   CellRows at_cells;                // gas as particles see it, or K v and K
   CellRows sizes;                   // sum d^3, sum d^2; only if the drag law wants the Sauter diameter
   BlockSum sum;
@@ -113,13 +113,13 @@ void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<doub
         return Row{-received_less_charged.x, -received_less_charged.y, -received_less_charged.z,
                    sphere_volume(particles.position[p].w)};
       },
-      volume);
-  smoothing.apply(volume);
+      solids);
+  smoothing.apply(solids);
   const double cell_volume = map.cell_volume();
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < signed_size(volume.size()); ++i) {
+  for (std::ptrdiff_t i = 0; i < signed_size(solids.size()); ++i) {
     const auto c = static_cast<std::size_t>(i);
-    gas_fraction[c] = 1 - volume[c].w / cell_volume;
+    gas_fraction[c] = 1 - solids[c].w / cell_volume;
   }
 }
 
@@ -163,7 +163,7 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
   if (parts.coupled) {
     fields_.gas_fraction_old.swap(fields_.gas_fraction);
     parts.deposit_solids(particles, fields_.gas_fraction);
-    write_columns(parts.volume, 1 / (parts.map.cell_volume() * dt), fields_.remainder);
+    write_columns(parts.solids, 1 / (parts.map.cell_volume() * dt), fields_.remainder);
     parts.deposit_sizes(particles);
   } else if (parts.drag.needs_sauter_diameter()) {
     parts.deposit.sort(particles.position);
@@ -194,7 +194,7 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
 void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, double dt) {
   Parts& parts = *parts_;
   CellRows& velocity = parts.at_cells;
-  CellRows& stress = parts.volume;
+  CellRows& stress = parts.solids;   // free between two deposits
   read_columns(gas.velocity, velocity);
   read_columns(gas.stress_force, stress);
   parts.smoothing.apply(velocity);

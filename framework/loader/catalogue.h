@@ -1,6 +1,7 @@
 #pragma once
 /// Every plugin this process knows: found, checked, loaded once and never unloaded.
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -18,9 +19,11 @@ class PluginError : public std::runtime_error {
 };
 
 /// A folder that is searched for plugins, and why. Nearer levels come first and win.
+/// Folders of the same name make one level.
 struct SearchLevel {
-  std::string name;                // "plugin_paths of the case", "SIMILITUDE_PLUGIN_PATH", "user folder", …
+  std::string name;                // "plugin_paths of the case", "SIMILITUDE_PLUGIN_PATH", "user folder", "install folder"
   std::filesystem::path folder;
+  bool must_exist = false;         // the user named it: if it is not there, that is told
 };
 
 struct PluginEntry {
@@ -74,17 +77,25 @@ class Catalogue {
   /// Null if there is none.
   const PluginEntry* find(const std::string& kind, const std::string& id) const;
   /// "there is no drag model "gidaspo". Did you mean …" with the models found and the refused files that may contain it.
+  /// An empty kind: any kind will do.
   [[noreturn]] void throw_no_such_model(const std::string& kind, const std::string& id) const;
 
  private:
+  void search(const SearchLevel& level);
+  void take(const PluginEntry& candidate);
+
+  std::vector<SearchLevel> levels_;
   std::vector<PluginEntry> plugins_;
   std::vector<RefusedFile> refused_;
 };
 
-/// The levels of DESIGN: the case's plugin_paths, SIMILITUDE_PLUGIN_PATH, user folder, install folder, build tree.
+/// From the nearest: the case's plugin_paths, the folders of SIMILITUDE_PLUGIN_PATH (colons between them), the user folder
+/// ${XDG_DATA_HOME:-~/.local/share}/similitude/plugins, the install folder, which is also the build tree's, found from where
+/// this program lies.
 std::vector<SearchLevel> search_levels(const std::vector<std::filesystem::path>& plugin_paths_of_case);
 
-/// Creates a model with one row of values per set. Throws PluginError with the plugin's own words on refusal.
+/// Creates a model with `sets` rows of values, in the order of its parameter table. A choice without a text is its default.
+/// Throws PluginError with the plugin's own words on refusal, and std::logic_error when kind or number of values do not fit.
 template <class Functions>
 Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed, const std::vector<similitude_value>& values,
                               std::uint32_t sets = 1);

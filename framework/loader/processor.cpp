@@ -5,6 +5,8 @@
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>
+#else
+#include <similitude/plugin.h>
 #endif
 
 namespace similitude {
@@ -31,9 +33,9 @@ int highest_rung() {
 
 std::string processor_instruction_set() { return std::string(k_ladder[static_cast<std::size_t>(highest_rung())]); }
 
-bool processor_has(const std::string& instruction_set) {
+bool processor_has(const std::string& wanted) {
   for (std::size_t rung = 0; rung <= static_cast<std::size_t>(highest_rung()); ++rung)
-    if (k_ladder[rung] == instruction_set) return true;
+    if (k_ladder[rung] == wanted) return true;
   return false;
 }
 
@@ -43,8 +45,8 @@ void set_floating_point_control(std::uint32_t control) { _mm_setcsr((_mm_getcsr(
 
 #else
 
-std::string processor_instruction_set() { return "generic"; }
-bool processor_has(const std::string& instruction_set) { return instruction_set == "generic"; }
+std::string processor_instruction_set() { return instruction_set(); }   // the one this program was built for
+bool processor_has(const std::string& wanted) { return wanted == instruction_set(); }
 std::uint32_t floating_point_control() { return 0; }
 void set_floating_point_control(std::uint32_t) {}
 

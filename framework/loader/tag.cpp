@@ -13,6 +13,7 @@
 #include <string>
 
 #include <similitude/layout.h>
+#include <similitude/plugin.h>
 
 #include "loader/processor.h"
 
@@ -59,13 +60,8 @@ std::string hexadecimal(std::uint32_t value) {
 }
 
 std::string both_sides(const similitude_tag& tag) {
-#if defined(__clang__)
-  const std::string compiler = "clang " + abi_version(__clang_major__, __clang_minor__) + "." + std::to_string(__clang_patchlevel__);
-#else
-  const std::string compiler = "gcc " + abi_version(__GNUC__, __GNUC_MINOR__) + "." + std::to_string(__GNUC_PATCHLEVEL__);
-#endif
-  return "\n(plugin: " + text_of(tag.compiler) + ", " + text_of(tag.instruction_set) + " | program: " + compiler +
-         ", on a processor with " + processor_instruction_set() + ")";
+  return "\n(plugin: " + text_of(tag.compiler) + ", " + text_of(tag.instruction_set) + " | program: " + compiler() + ", " +
+         instruction_set() + ")";
 }
 
 /// The bytes of the section named `name`; false if there is none.
@@ -140,9 +136,9 @@ std::optional<Refusal> check_tag(const similitude_tag& tag) {
     return Refusal{"built for plugin ABI " + theirs + " with another layout of its structures (" + hexadecimal(tag.layout_hash) +
                        ", this program's is " + hexadecimal(abi::layout_hash()) + ").",
                    k_rebuild + both_sides(tag)};
-  const std::string instruction_set = text_of(tag.instruction_set);
-  if (!processor_has(instruction_set))
-    return Refusal{"built for the instruction set " + instruction_set + ", this processor has " + processor_instruction_set() + ".",
+  const std::string wanted = text_of(tag.instruction_set);
+  if (!processor_has(wanted))
+    return Refusal{"built for the instruction set " + wanted + ", this processor has " + processor_instruction_set() + ".",
                    "Rebuild it for this processor: cmake -B build -DSIMILITUDE_MARCH=" + processor_instruction_set() +
                        " && cmake --build build" + both_sides(tag)};
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fcntl.h>
 #include <stdexcept>
+#include <system_error>
 #include <unistd.h>
 
 #include "output/number.h"
@@ -32,6 +33,8 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::s
     row_of_text(columns);
   } catch (...) {
     ::close(descriptor_);
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file_, ignored)) std::filesystem::remove(file_, ignored);
     throw;
   }
 }

@@ -24,8 +24,8 @@ class Progress {
   /// `end` [s]: the real bed's end time.
   Progress(std::ostream& out, Screen screen, double end, Clock clock = monotonic_seconds);
 
-  /// Call as often as you like: draws at most five times a second on a terminal; elsewhere a line every 10 % or, if that
-  /// takes longer, every 5 s of wall time at most. Never changes what is simulated.
+  /// Call as often as you like: draws at most five times a second on a terminal; elsewhere a line every 10 % and, in
+  /// between, every 5 s of wall time (every minute in a run of hours). The first state is the start of the estimate.
   void update(const ProgressState& state);
   /// Leaves the last state standing.
   void finish(const ProgressState& state);

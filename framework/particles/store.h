@@ -59,6 +59,12 @@ struct ParticleStore {
   void reorder(const std::vector<std::uint32_t>& order);
   /// Bytes of one particle's rows, as allocated.
   std::size_t bytes_per_particle() const;
+
+ private:
+  // The sorted copy of a column is made here and swapped in, so that a sort allocates only while the bed grows.
+  Column<Row> spare_rows_;
+  Column<std::uint64_t> spare_ids_;
+  Column<std::uint32_t> spare_species_;
 };
 
 }  // namespace similitude

@@ -125,6 +125,8 @@ void Document::set(const std::string& assignment) {
     if (part.empty()) throw InputError(mark, path, "a part of this path is empty.", "Write for example models.scaling.geometry.");
     if (node->is_scalar()) {
       // The short form of a model: drag: gidaspow.
+      if (!walked.starts_with("models."))
+        throw InputError(mark, path, walked + " is \"" + node->text + "\" and has no keys below it.", "Set " + walked + " itself.");
       DocumentNode id = *node;
       *node = {DocumentNode::Kind::map, mark, "", {{"id", id.mark}}, {id}};
     }

@@ -6,7 +6,18 @@
 /// standard library, so a lane's result never depends on its neighbours.
 
 #include <cmath>
+
+// GCC 12's own AVX-512 header reads an undefined register where any value will do, and warns about it in the code that
+// calls it (GCC PR 105593).
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#endif
 #include <experimental/simd>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 #include <similitude/abi.h>
 #include <similitude/vec3.h>

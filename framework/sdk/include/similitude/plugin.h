@@ -206,4 +206,4 @@ constexpr std::array<const similitude_descriptor*, N> addresses_of(const similit
   }                                                                                                       \
   constinit const similitude_entry similitude_plugin = {                                                  \
       sizeof(similitude_entry), static_cast<std::uint32_t>(similitude_plugin_list.size()),                \
-      &similitude_plugin_tag, similitude_plugin_list.data()}
+      &similitude_plugin_tag, similitude_plugin_list.data()};

@@ -1,0 +1,142 @@
+#include <iostream>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "stepper/inspection.h"
+
+namespace similitude::app {
+namespace {
+
+struct CheckArguments {
+  std::string case_file;
+  std::vector<std::string> overrides;
+  bool json = false;
+};
+
+/// All that is known of a case before it runs.
+struct Inspection {
+  Assembly assembly;
+  TimeSteps steps;
+  std::vector<std::string> pipeline;
+  std::vector<FieldUse> fields;
+  std::vector<EffectVerdict> effects;
+  PredictedCost cost;
+};
+
+const char* verdict_word(int verdict) {
+  if (verdict == 1) return "needed";
+  return verdict == 0 ? "negligible" : "cannot tell";
+}
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json as_json(const Inspection& seen) {
+  const double to_real = 1 / seen.assembly.results.time;
+  nlohmann::json page;
+  page["pipeline"] = seen.pipeline;
+  page["fields"] = nlohmann::json::array();
+  for (const FieldUse& field : seen.fields) {
+    page["fields"].push_back(
+        {{"name", field.name}, {"bytes_per_item", field.bytes_per_item}, {"items", field.items}, {"because", field.because}});
+  }
+  page["time_steps"] = {{"dt", seen.steps.dt * to_real},
+                        {"gas_dt", seen.steps.gas_dt() * to_real},
+                        {"limits", nlohmann::json::array()}};
+  for (const TimeStepLimit& limit : seen.steps.limits) {
+    page["time_steps"]["limits"].push_back({{"name", limit.name},
+                                            {"step", limit.kind == StepKind::gas ? "gas_dt" : "dt"},
+                                            {"advised", number_or_null(limit.advised * to_real)},
+                                            {"hard", number_or_null(limit.hard * to_real)},
+                                            {"binding", limit.binding}});
+  }
+  page["effects"] = nlohmann::json::array();
+  for (const EffectVerdict& effect : seen.effects) {
+    page["effects"].push_back({{"id", effect.id},
+                               {"group", effect.group},
+                               {"value", effect.value},
+                               {"threshold", effect.threshold},
+                               {"verdict", verdict_word(effect.verdict)},
+                               {"because", effect.because}});
+  }
+  page["predicted"] = {{"particle_steps", seen.cost.particle_steps}, {"wall_s", seen.cost.wall_s}};
+  return page;
+}
+
+template <class Bed>
+std::string bed_line(const Scene<Bed>& scene, const TimeSteps& steps, double time_ratio) {
+  std::string line = fmt::format("{:.4g} x {:.4g} x {:.4g} mm, gas {:.4g} kg/m^3 and {:.4g} Pa s, dt {:.3g} s", 1e3 * scene.size[0],
+                                 1e3 * scene.size[1], 1e3 * scene.size[2], scene.gas_density, scene.gas_viscosity,
+                                 steps.dt / time_ratio);
+  for (const ParticleClass& species : scene.particles) {
+    line += fmt::format(", {} {:.4g} mm and {:.4g} kg/m^3", species.name, 1e3 * species.diameter, species.density);
+    if (species.count) line += fmt::format(" x {}", *species.count);
+  }
+  return line;
+}
+
+void print(const Inspection& seen, std::ostream& out) {
+  const double to_real = 1 / seen.assembly.results.time;
+  out << seen.assembly.real.title << "\n";
+  out << "  real bed       " << bed_line(seen.assembly.real, seen.steps, seen.assembly.results.time) << "\n";
+  out << "  simulated bed  " << bed_line(seen.assembly.model, seen.steps, 1) << "\n";
+  out << "\npipeline of a gas step\n";
+  for (const std::string& pass : seen.pipeline) out << "  " << pass << "\n";
+  out << fmt::format("\n{:<36}{:>10}{:>12}  {}\n", "field", "bytes/item", "items", "because");
+  for (const FieldUse& field : seen.fields) {
+    out << fmt::format("{:<36}{:>10}{:>12}  {}\n", field.name, field.bytes_per_item, field.items, field.because);
+  }
+  out << fmt::format("\ntime steps of the real bed: dt {:.4g} s, {} per gas step\n", seen.steps.dt * to_real, seen.steps.sub_steps);
+  out << fmt::format("{:<32}{:>12}{:>12}   {}\n", "limit", "advised [s]", "hard [s]", "because");
+  for (const TimeStepLimit& limit : seen.steps.limits) {
+    out << fmt::format("{:<32}{:>12.3g}{:>12.3g} {} {}\n", limit.name, limit.advised * to_real, limit.hard * to_real,
+                       limit.binding ? "*" : " ", limit.because);
+  }
+  out << "\neffects\n";
+  if (seen.effects.empty()) out << "  no effect plugin is installed\n";
+  for (const EffectVerdict& effect : seen.effects) {
+    out << fmt::format("  {:<24}{:<12} {}\n", effect.id, verdict_word(effect.verdict), effect.because);
+  }
+  out << fmt::format("\npredicted: {} particles, {:.3g} particle-steps, {:.3g} s of wall time (on this machine: {:.3g} M "
+                     "particle-steps/s, {:.3g} ms per gas step)\n",
+                     seen.cost.particles, seen.cost.particle_steps, seen.cost.wall_s, 1e-6 * seen.cost.particle_steps_per_s,
+                     1e3 * seen.cost.gas_step_s);
+}
+
+int check(const CheckArguments& arguments) {
+  const Catalogue plugins = catalogue_for(arguments.case_file);
+  const CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  Inspection seen;
+  seen.assembly = assemble(case_file.scene, plugins);
+  seen.steps = choose_time_steps(seen.assembly);
+  for (const std::string& warning : case_file.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
+  seen.pipeline = pipeline_words(seen.assembly, seen.steps);
+  seen.fields = field_uses(seen.assembly);
+  seen.effects = effect_verdicts(seen.assembly, plugins);
+  seen.cost = predict_cost(seen.assembly, seen.steps);
+  if (arguments.json) {
+    std::cout << as_json(seen).dump(2) << "\n";
+  } else {
+    print(seen, std::cout);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command = app.add_subcommand("check", "Validate a case; print both beds, pipeline, fields, limits, effects and cost.");
+  command->add_option("CASE", arguments->case_file, "case file (YAML)")->required();
+  command->add_option("--set", arguments->overrides, "change a value of the case: key=value")->allow_extra_args(false);
+  command->add_flag("--json", arguments->json, "for other programs");
+  command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+}
+
+}  // namespace similitude::app

@@ -1,0 +1,54 @@
+#include "stepper/run.h"
+
+#include <iostream>
+#include <memory>
+
+#include "app/commands.h"
+#include "scene/units.h"
+#include "scene/messages.h"
+
+namespace similitude::app {
+namespace {
+
+struct RunArguments {
+  std::string case_file, folder, until;
+  std::vector<std::string> overrides;
+  int threads = 0;
+  bool force = false;
+};
+
+int run(const RunArguments& arguments, const std::string& command_line) {
+  const Catalogue plugins = catalogue_for(arguments.case_file);
+  const CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  RunOptions options{.folder = arguments.folder,
+                     .force = arguments.force,
+                     .until = {},
+                     .threads = arguments.threads,
+                     .command = command_line};
+  if (!arguments.until.empty()) {
+    try {
+      options.until = parse_quantity(arguments.until, "s");
+    } catch (const QuantityError& error) {
+      throw InputError("--until: " + error.what, error.fix);
+    }
+  }
+  return run_case(case_file, plugins, options, std::cout);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action, const std::string& command_line) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command = app.add_subcommand("run", "Simulate a case and write its results.");
+  command->add_option("CASE", arguments->case_file, "case file (YAML)")->required();
+  command->add_option("-o,--output", arguments->folder, "folder for results (default: results/<case name>)");
+  command->add_option("--set", arguments->overrides, "change a value of the case: key=value, e.g. models.drag=gidaspow")
+      ->allow_extra_args(false);
+  command->add_option("--until", arguments->until, "stop at this time of the real bed, e.g. \"0.2 s\"");
+  command->add_option("--threads", arguments->threads, "threads (default: all cores); the results are the same bits")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--force", arguments->force, "replace an earlier run in the folder");
+  command->callback([arguments, &action, command_line] { action = [arguments, command_line] { return run(*arguments, command_line); }; });
+}
+
+}  // namespace similitude::app

@@ -1,0 +1,112 @@
+#include "output/manifest.h"
+
+#include <ctime>
+#include <fstream>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "output/resolved_case.h"
+#include "output/sha256.h"
+#include "output/whole_file.h"
+
+namespace similitude {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json ratios_json(const similitude_ratios& s) {
+  return {{"length", s.length},
+          {"diameter", s.diameter},
+          {"drag_diameter", s.drag_diameter},
+          {"particle_density", s.particle_density},
+          {"gas_density", s.gas_density},
+          {"gas_viscosity", s.gas_viscosity},
+          {"velocity", s.velocity},
+          {"time", s.time},
+          {"stiffness", s.stiffness},
+          {"modulus", s.modulus},
+          {"energy_loss", s.energy_loss},
+          {"parcel_weight", s.parcel_weight}};
+}
+
+json map_back_json(const MapBack& map) {
+  return {{"length", map.ratios.length},
+          {"diameter", map.ratios.diameter},
+          {"time", map.ratios.time},
+          {"velocity", map.ratios.velocity},
+          {"angular_velocity", map.ratios.angular_velocity},
+          {"pressure", map.ratios.pressure},
+          {"force", map.ratios.force},
+          {"mass", map.ratios.mass},
+          {"gas_density", map.gas_density},
+          {"jet_ratio", map.jet_ratio},
+          {"note", map_back_note(map)}};
+}
+
+json plugins_json(const std::vector<ManifestPlugin>& plugins) {
+  json list = json::array();
+  for (const ManifestPlugin& p : plugins)
+    list.push_back({{"kind", p.kind}, {"id", p.id}, {"version", p.version}, {"file", p.file}, {"sha256", p.sha256}});
+  return list;
+}
+
+std::string processor_name() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name"))
+      if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+  return "unknown";
+}
+
+}  // namespace
+
+ManifestPlugin manifest_plugin(const PluginEntry& plugin) {
+  return {plugin.descriptor->kind, plugin.descriptor->id, plugin.descriptor->version, plugin.file.string(),
+          sha256_of_file(plugin.file)};
+}
+
+Machine this_machine() {
+  Machine machine;
+  machine.processor = processor_name();
+  machine.cores = static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN));
+  utsname names{};
+  if (::uname(&names) == 0) machine.kernel = std::string(names.sysname) + " " + names.release + " " + names.machine;
+  return machine;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+void write_manifest(const OutputDirectory& directory, const Manifest& m, const RealScene& real) {
+  json out;
+  out["program"] = {{"name", "similitude"}, {"version", m.program_version}};
+  out["abi"] = {{"major", SIMILITUDE_ABI_MAJOR}, {"minor", SIMILITUDE_ABI_MINOR}};
+  out["command"] = m.command;
+  out["case_file"] = m.case_file;
+  out["status"] = m.status;
+  out["exit_status"] = m.exit_status >= 0 ? json(m.exit_status) : json(nullptr);
+  out["exit_reason"] = m.exit_reason;
+  out["started"] = m.started;
+  out["ended"] = m.ended.empty() ? json(nullptr) : json(m.ended);
+  out["simulated_s"] = m.simulated_s;
+  out["particles"] = m.particles;
+  out["state_hash"] = m.state_hash.empty() ? json(nullptr) : json(m.state_hash);
+  out["machine"] = {{"processor", m.machine.processor}, {"cores", m.machine.cores}, {"kernel", m.machine.kernel}};
+  out["threads"] = m.threads;
+  out["scaling"] = {{"law", m.map_back.scaling_law}, {"ratios", ratios_json(m.scaling)}};
+  out["map_back"] = map_back_json(m.map_back);
+  out["plugins"] = plugins_json(m.plugins);
+  out["case"] = json::parse(resolved_case_json(real));
+  // A path need not be UTF-8; a manifest must.
+  write_whole_file(directory.file("manifest.json"), out.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace similitude

@@ -1,0 +1,77 @@
+#pragma once
+/// Four doubles in one register, and the turn from four rows to four columns and back. Internal to particles/.
+/// GCC and Clang vector types: the code is the same with AVX, without it, and on other processors.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
+#include "particles/store.h"
+
+namespace similitude::pack {
+
+using V4 = double __attribute__((vector_size(32)));
+using Mask4 = decltype(V4{} < V4{});
+using StoredV4 = double __attribute__((vector_size(32), may_alias));
+
+inline V4 load(const Row& row) { return *reinterpret_cast<const StoredV4*>(&row); }
+inline void store(Row& row, V4 value) { *reinterpret_cast<StoredV4*>(&row) = value; }
+/// `column` is 32-byte aligned.
+inline V4 load(const double* column) { return *reinterpret_cast<const StoredV4*>(column); }
+inline void store(double* column, V4 value) { *reinterpret_cast<StoredV4*>(column) = value; }
+inline V4 all(double value) { return V4{value, value, value, value}; }
+
+inline V4 square_root(V4 a) {
+#if defined(__AVX__)
+  return _mm256_sqrt_pd(a);
+#else
+  return V4{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
+}
+inline V4 smaller(V4 a, V4 b) { return a < b ? a : b; }
+inline V4 larger(V4 a, V4 b) { return a > b ? a : b; }
+
+/// Bit l is set where lane l holds.
+inline unsigned bits(Mask4 mask) {
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));
+#else
+  unsigned out = 0;
+  for (unsigned lane = 0; lane < 4; ++lane) out |= (mask[lane] != 0 ? 1u : 0u) << lane;
+  return out;
+#endif
+}
+
+/// Rows a b c d become columns x y z w, or back.
+inline void transpose(V4& a, V4& b, V4& c, V4& d) {
+  const V4 ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const V4 ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const V4 cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const V4 cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+/// The fourth column of rows a b c d.
+inline V4 fourth(V4 a, V4 b, V4 c, V4 d) {
+  const V4 ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const V4 cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
+
+/// `row` with its fourth number taken from `other`.
+inline V4 with_fourth(V4 row, V4 other) { return __builtin_shufflevector(row, other, 0, 1, 2, 7); }
+
+struct V4x3 {
+  V4 x, y, z;
+};
+inline V4x3 cross(const V4x3& a, const V4x3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace similitude::pack

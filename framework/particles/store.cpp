@@ -1,0 +1,86 @@
+#include "particles/store.h"
+
+#include <cmath>
+
+namespace similitude {
+
+namespace {
+
+template <class T>
+void reorder_column(std::vector<T, CacheAligned<T>>& column, const std::vector<std::uint32_t>& order,
+                    std::vector<T, CacheAligned<T>>& spare) {
+  spare.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) spare[k] = column[order[k]];
+  column.swap(spare);
+}
+
+template <class T>
+std::size_t bytes_per_row(const Column<T>& column, std::size_t rows) {
+  return rows == 0 ? 0 : column.capacity() * sizeof(T) / rows;
+}
+
+}  // namespace
+
+void ParticleStore::reserve(std::size_t n) {
+  position.reserve(n);
+  velocity.reserve(n);
+  force.reserve(n);
+  spare_rows_.reserve(n);
+  if (fields.rotation) {
+    angular_velocity.reserve(n);
+    torque.reserve(n);
+  }
+  if (fields.coupling) {
+    gas.reserve(n);
+    stress_force.reserve(n);
+    drag_impulse.reserve(n);
+  }
+  id.reserve(n);
+  spare_ids_.reserve(n);
+  species.reserve(n);
+  spare_species_.reserve(n);
+}
+
+std::size_t ParticleStore::add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z,
+                               double radius, double mass) {
+  position.push_back({x, y, z, radius});
+  velocity.push_back({0, 0, 0, mass});
+  force.push_back({});
+  if (fields.rotation) {
+    angular_velocity.push_back({0, 0, 0, 0.4 * mass * radius * radius});   // solid sphere: 2/5 m r^2
+    torque.push_back({});
+  }
+  if (fields.coupling) {
+    gas.push_back({});
+    stress_force.push_back({});
+    drag_impulse.push_back({});
+  }
+  id.push_back(new_id);
+  species.push_back(new_species);
+  return position.size() - 1;
+}
+
+void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
+  for (Column<Row>* column : {&position, &velocity, &force}) reorder_column(*column, order, spare_rows_);
+  if (fields.rotation) {
+    for (Column<Row>* column : {&angular_velocity, &torque}) reorder_column(*column, order, spare_rows_);
+  }
+  if (fields.coupling) {
+    for (Column<Row>* column : {&gas, &stress_force, &drag_impulse}) reorder_column(*column, order, spare_rows_);
+  }
+  reorder_column(id, order, spare_ids_);
+  reorder_column(species, order, spare_species_);
+}
+
+std::size_t ParticleStore::bytes_per_particle() const {
+  const std::size_t rows = size();
+  std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(spare_ids_, rows) + bytes_per_row(species, rows) +
+                      bytes_per_row(spare_species_, rows) + bytes_per_row(spare_rows_, rows);
+  for (const Column<Row>* column : {&position, &velocity, &force, &angular_velocity, &torque, &gas, &stress_force,
+                                    &drag_impulse}) {
+    bytes += bytes_per_row(*column, rows);
+  }
+  return bytes;
+}
+
+}  // namespace similitude

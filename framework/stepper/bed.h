@@ -1,0 +1,22 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "particles/fill.h"
+#include "particles/store.h"
+#include "stepper/assembly.h"
+#include "stepper/time_steps.h"
+
+namespace similitude {
+
+struct StartingBed {
+  ParticleStore particles;
+  FilledBed filled;
+};
+
+/// The rows a run of these models needs, filled with the scene's bed at rest.
+StoreFields store_fields(const Assembly& assembly);
+StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
+                     std::function<void(double fraction, const std::string& stage)> progress);
+
+}  // namespace similitude

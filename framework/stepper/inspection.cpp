@@ -1,0 +1,162 @@
+#include "stepper/inspection.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "particles/engine.h"
+#include "stepper/bed.h"
+#include "stepper/simulation.h"
+
+namespace similitude {
+namespace {
+
+constexpr double k_settled_solids_fraction = 0.58;   // of poured spheres with friction
+constexpr double k_pairs_per_particle = 4;           // listed in a half list with its skin, settled bed (measured 3.5 ... 4)
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double sphere_volume(double diameter) { return std::numbers::pi / 6 * diameter * diameter * diameter; }
+
+/// A cube of spheres of the first class, slightly overlapping, with as many neighbours as in a settled bed.
+struct CalibrationBed {
+  ModelScene scene;
+  ParticleStore particles;
+};
+CalibrationBed calibration_bed(const Assembly& assembly, int particles_per_edge) {
+  CalibrationBed bed{.scene = assembly.model, .particles = ParticleStore(store_fields(assembly))};
+  const ParticleClass& species = assembly.model.particles.front();
+  const double pitch = 0.999 * species.diameter;
+  const double edge = pitch * particles_per_edge;
+  bed.scene.size = {edge, edge, edge};
+  bed.scene.patches.clear();
+  bed.scene.baffles.clear();
+  bed.scene.periodic = {false, false, false};
+  std::uint64_t id = 0;
+  for (int k = 0; k < particles_per_edge; ++k) {
+    for (int j = 0; j < particles_per_edge; ++j) {
+      for (int i = 0; i < particles_per_edge; ++i) {
+        bed.particles.add(id++, 0, pitch * (i + 0.5), pitch * (j + 0.5), pitch * (k + 0.5), species.diameter / 2,
+                          species.density * sphere_volume(species.diameter));
+      }
+    }
+  }
+  return bed;
+}
+
+double calibrated_particle_steps_per_s(const Assembly& assembly, const TimeSteps& steps) {
+  constexpr int k_particles_per_edge = 16;
+  constexpr int k_warm_up = 20, k_sub_steps = 100;
+  CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
+  Engine engine(bed.particles, bed.scene, assembly.contact, {.dt = steps.dt, .gravity = assembly.model.gravity});
+  engine.advance(k_warm_up);
+  const auto start = std::chrono::steady_clock::now();
+  engine.advance(k_sub_steps);
+  return static_cast<double>(bed.particles.size()) * k_sub_steps / seconds_since(start);
+}
+
+/// Seconds of one gas step with the bed's resistance left out: the gas alone, inlets at full ramp.
+double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
+  constexpr int k_warm_up = 2, k_steps = 4;
+  Simulation simulation(assembly, steps, ParticleStore(store_fields(assembly)), [](const std::string&) {});
+  for (int i = 0; i < k_warm_up; ++i) simulation.step();
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < k_steps; ++i) simulation.step();
+  return seconds_since(start) / k_steps;
+}
+
+}  // namespace
+
+std::int64_t expected_particles(const ModelScene& scene) {
+  double count = 0;
+  for (const ParticleClass& species : scene.particles) {
+    if (species.count) {
+      count += static_cast<double>(*species.count);
+    } else if (scene.bed.height) {
+      count += k_settled_solids_fraction * *scene.bed.height * scene.size[0] * scene.size[1] / sphere_volume(species.diameter);
+    }
+  }
+  return static_cast<std::int64_t>(std::llround(count));
+}
+
+std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps) {
+  return Simulation(assembly, steps, ParticleStore(store_fields(assembly)), [](const std::string&) {}).pipeline();
+}
+
+std::vector<FieldUse> field_uses(const Assembly& assembly) {
+  const auto particles = static_cast<std::size_t>(expected_particles(assembly.model));
+  const std::size_t cells = assembly.grid->cell_count();
+  const auto pairs = static_cast<std::size_t>(k_pairs_per_particle * static_cast<double>(particles));
+  const std::string contact = std::string("contact.") + assembly.contact.descriptor().id;
+  const std::string fluid = std::string("fluid.") + assembly.fluid.descriptor().id;
+  std::vector<FieldUse> fields{
+      {"particle.position_radius", sizeof(Row), particles, "particles"},
+      {"particle.velocity_mass", sizeof(Row), particles, "particles"},
+      {"particle.force", sizeof(Row), particles, contact},
+      {"particle.id_species", sizeof(std::uint64_t) + sizeof(std::uint32_t), particles, "particles"},
+      {"particle.gas_velocity_exchange", sizeof(Row), particles, std::string("drag.") + assembly.drag.descriptor().id},
+      {"particle.stress_force", sizeof(Row), particles, fluid},
+      {"particle.drag_impulse", sizeof(Row), particles, "exchange of momentum with the gas"},
+      {"pair.list", sizeof(std::uint32_t), pairs, "neighbours"},
+  };
+  if (assembly.contact_needs.rotation != 0) {
+    fields.push_back({"particle.angular_velocity_inertia", sizeof(Row), particles, contact + " needs rotation"});
+    fields.push_back({"particle.torque", sizeof(Row), particles, contact + " needs rotation"});
+  }
+  for (std::uint32_t slot = 0; slot < assembly.contact_needs.history_count; ++slot) {
+    fields.push_back({std::string("pair.") + assembly.contact_needs.history_name[slot], sizeof(double), pairs, contact});
+  }
+  fields.push_back({"cell.velocity", 3 * sizeof(double), cells, fluid});
+  fields.push_back({"cell.pressure", sizeof(double), cells, fluid});
+  fields.push_back({"cell.stress_force", 3 * sizeof(double), cells, fluid});
+  if (assembly.coupled()) {
+    fields.push_back({"cell.gas_fraction", 2 * sizeof(double), cells, "both ends of a gas step"});
+    fields.push_back({"cell.exchange", 4 * sizeof(double), cells, "implicit drag"});
+    fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
+  }
+  return fields;
+}
+
+std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue) {
+  std::vector<EffectVerdict> verdicts;
+  const similitude_bed bed = describe(assembly.real);
+  for (const std::string& id : catalogue.ids("effect")) {
+    const PluginEntry& entry = *catalogue.find("effect", id);
+    std::vector<similitude_value> defaults;
+    for (std::uint32_t i = 0; i < entry.descriptor->parameter_count; ++i) {
+      defaults.push_back({entry.descriptor->parameters[i].default_value, entry.descriptor->parameters[i].default_text});
+    }
+    const EffectModel effect = create_model<similitude_effect_functions>(entry, bed, defaults);
+    similitude_relevance relevance{};
+    relevance.struct_size = sizeof(relevance);
+    effect.functions().relevance(effect.instance(), &bed, &relevance);
+    const std::string group = relevance.group != nullptr ? relevance.group : "";
+    verdicts.push_back({.id = id,
+                        .group = group,
+                        .source = relevance.source != nullptr ? relevance.source : "",
+                        .because = fmt::format("{} = {:.2g}, threshold {:.2g}", group, relevance.value, relevance.threshold),
+                        .value = relevance.value,
+                        .threshold = relevance.threshold,
+                        .verdict = relevance.verdict});
+  }
+  return verdicts;
+}
+
+PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
+  PredictedCost cost;
+  cost.particles = expected_particles(assembly.model);
+  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt());
+  cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);
+  if (!assembly.model.particles.empty()) cost.particle_steps_per_s = calibrated_particle_steps_per_s(assembly, steps);
+  cost.gas_step_s = calibrated_gas_step(assembly, steps);
+  cost.wall_s = gas_steps * cost.gas_step_s;
+  if (cost.particle_steps_per_s > 0) cost.wall_s += cost.particle_steps / cost.particle_steps_per_s;
+  return cost;
+}
+
+}  // namespace similitude

@@ -1,0 +1,44 @@
+#pragma once
+/// What a case will do, said before it does it: pipeline, fields with their bytes and reasons, effects, cost.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stepper/assembly.h"
+#include "stepper/time_steps.h"
+
+namespace similitude {
+
+struct FieldUse {
+  std::string name;
+  std::size_t bytes_per_item = 0;
+  std::size_t items = 0;
+  std::string because;
+};
+
+struct EffectVerdict {
+  std::string id, group, source, because;
+  double value = 0, threshold = 0;
+  int verdict = -1;   // 1 needed, 0 negligible, -1 cannot tell
+};
+
+/// In real-bed terms, from a short calibration on this machine with the case's own models.
+struct PredictedCost {
+  std::int64_t particles = 0;
+  double particle_steps = 0;
+  double wall_s = 0;
+  double particle_steps_per_s = 0;   // of the calibration
+  double gas_step_s = 0;             // of the calibration
+};
+
+/// Simulated particles that the scene asks for; from the bed's height where it gives no count.
+std::int64_t expected_particles(const ModelScene& scene);
+std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps);
+std::vector<FieldUse> field_uses(const Assembly& assembly);
+/// Every effect in the catalogue, asked for its relevance in the real bed.
+std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue);
+/// Runs a few hundred DEM sub-steps of a small packing and a few gas steps: about a second.
+PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps);
+
+}  // namespace similitude
