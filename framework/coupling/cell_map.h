@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "fluid/grid.h"
+#include "particles/pack.h"
 #include "particles/store.h"
 
 namespace similitude {
@@ -96,14 +97,10 @@ class CellMap {
 
 /// The adjoint of a unit deposit: the weighted mean of a cell field at a position.
 inline Row gather(const Stencil& s, const CellRows& field) {
+  pack::V4 total = pack::all(0);
+  for (std::size_t m = 0; m < 8; ++m) total += pack::all(s.weight[m]) * pack::load(field[s.cell[m]]);
   Row sum;
-  for (std::size_t m = 0; m < 8; ++m) {
-    const Row& f = field[s.cell[m]];
-    sum.x += s.weight[m] * f.x;
-    sum.y += s.weight[m] * f.y;
-    sum.z += s.weight[m] * f.z;
-    sum.w += s.weight[m] * f.w;
-  }
+  pack::store(sum, total);
   return sum;
 }
 

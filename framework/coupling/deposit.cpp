@@ -1,7 +1,5 @@
 #include "coupling/deposit.h"
 
-#include <algorithm>
-
 namespace similitude {
 
 Deposit::Deposit(const CellMap& map) : map_(map) {
@@ -40,12 +38,7 @@ void Deposit::combine(std::size_t slab, CellRows& field) {
   Row* const out = field.data() + slab * k_layers_per_slab * layer;
   std::copy(own, own + layers * layer, out);
   const auto add = [layer](const Row* margin, Row* to) {
-    for (std::size_t c = 0; c < layer; ++c) {
-      to[c].x += margin[c].x;
-      to[c].y += margin[c].y;
-      to[c].z += margin[c].z;
-      to[c].w += margin[c].w;
-    }
+    for (std::size_t c = 0; c < layer; ++c) pack::store(to[c], pack::load(to[c]) + pack::load(margin[c]));
   };
   if (slab > 0 || map_.periodic_layers()) {
     const std::size_t below = slab > 0 ? slab - 1 : slabs - 1;

@@ -2,6 +2,7 @@
 /// Particle quantities onto cells, through the tent. The order of every sum is fixed by the particles' rows and the cells'
 /// layers alone, so the bits do not depend on the number of threads.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,15 +48,12 @@ class Deposit {
     for (std::uint32_t n = slab_begin_[slab]; n < slab_begin_[slab + 1]; ++n) {
       const std::uint32_t p = order_[n];
       const Stencil s = map_.stencil(position[p]);
-      const Row v = value(static_cast<std::size_t>(p));
+      const pack::V4 v = pack::load(value(static_cast<std::size_t>(p)));
       for (std::size_t m = 0; m < 8; ++m) {
         const std::size_t foot = m & 3;
         Row* target = sums + (s.cell[foot] - first_cell + layer);
         if (s.cell[m] != s.cell[foot]) target += s.layer_step * static_cast<std::ptrdiff_t>(layer);
-        target->x += s.weight[m] * v.x;
-        target->y += s.weight[m] * v.y;
-        target->z += s.weight[m] * v.z;
-        target->w += s.weight[m] * v.w;
+        pack::store(*target, pack::load(*target) + pack::all(s.weight[m]) * v);
       }
     }
   }

@@ -1,7 +1,10 @@
 #include "coupling/smoothing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "particles/pack.h"
 
 namespace similitude {
 
@@ -26,25 +29,20 @@ Smoothing::Smoothing(const CellMap& map, double length) : map_(map) {
 
 void Smoothing::apply(CellRows& field) {
   const auto cells = static_cast<std::ptrdiff_t>(map_.cell_count());
-  const auto [sx, sy, sz] = share_;
+  const pack::V4 sx = pack::all(share_[0]), sy = pack::all(share_[1]), sz = pack::all(share_[2]);
   for (int step = 0; step < steps_; ++step) {
     const Row* const from = field.data();
     Row* const to = scratch_.data();
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t c = 0; c < cells; ++c) {
       const auto& link = map_.links(static_cast<std::size_t>(c));
-      const Row here = from[c];
-      const Row &west = from[link[0]], &east = from[link[1]], &front = from[link[2]], &back = from[link[3]],
-                &below = from[link[4]], &above = from[link[5]];
+      const auto at = [&](std::size_t n) { return pack::load(from[link[n]]); };
+      const pack::V4 here = pack::load(from[c]);
       // Differences first: a closed face links the cell to itself and passes exactly nothing.
-      to[c].x = here.x + sx * ((west.x - here.x) + (east.x - here.x)) + sy * ((front.x - here.x) + (back.x - here.x)) +
-                sz * ((below.x - here.x) + (above.x - here.x));
-      to[c].y = here.y + sx * ((west.y - here.y) + (east.y - here.y)) + sy * ((front.y - here.y) + (back.y - here.y)) +
-                sz * ((below.y - here.y) + (above.y - here.y));
-      to[c].z = here.z + sx * ((west.z - here.z) + (east.z - here.z)) + sy * ((front.z - here.z) + (back.z - here.z)) +
-                sz * ((below.z - here.z) + (above.z - here.z));
-      to[c].w = here.w + sx * ((west.w - here.w) + (east.w - here.w)) + sy * ((front.w - here.w) + (back.w - here.w)) +
-                sz * ((below.w - here.w) + (above.w - here.w));
+      const pack::V4 along_x = (at(0) - here) + (at(1) - here);
+      const pack::V4 along_y = (at(2) - here) + (at(3) - here);
+      const pack::V4 along_z = (at(4) - here) + (at(5) - here);
+      pack::store(to[c], here + sx * along_x + sy * along_y + sz * along_z);
     }
     field.swap(scratch_);
   }

@@ -10,6 +10,18 @@ constexpr Index k_few_cells = 40;        // solved directly
 constexpr Index k_too_many_cells = 400;  // to be solved directly: give up the barriers instead
 constexpr double k_same_spacing = 1.5;   // axes whose spacing is within this factor of the finest are halved together
 
+std::size_t u(Index row) { return static_cast<std::size_t>(row); }
+
+template <class Visit>
+void for_each_cell(const Level& level, Visit&& visit) {
+#pragma omp parallel for schedule(static) if (level.cell_count() >= k_worth_threads)
+  for (Index k = 0; k < level.n[2]; ++k) {
+    for (Index j = 0; j < level.n[1]; ++j) {
+      for (Index i = 0; i < level.n[0]; ++i) visit(Triple{i, j, k}, level.at(i, j, k));
+    }
+  }
+}
+
 /// Groups of two along `axis`, none across a barrier; a remainder stands alone.
 std::vector<Index> group_starts(const Level& level, std::size_t axis) {
   std::vector<Index> start;
@@ -79,6 +91,18 @@ double inner_resistance(const Level& fine, Index first, Index size) {
   return inner > 0 ? 0.5 / inner : 0;
 }
 
+/// Completes a level whose weights are set.
+void set_diagonal(Level& level) {
+  for (std::size_t a = 0; a < 3; ++a) level.refresh_ghosts(level.weight[a]);
+  for_each_cell(level, [&](const Triple&, Index c) {
+    const auto both = [&](std::size_t a) { return level.weight[a][u(c)] + level.weight[a][u(c + level.stride(a))]; };
+    const double sum = ((both(0) + both(1)) + both(2)) +
+                       ((level.outlet[0][u(c)] + level.outlet[1][u(c)]) + level.outlet[2][u(c)]);
+    level.diagonal[u(c)] = sum;
+    level.inverse_diagonal[u(c)] = sum > 0 ? 1 / sum : 0;
+  });
+}
+
 }  // namespace
 
 Level::Level(const Triple& cells, const std::array<bool, 3>& is_periodic)
@@ -138,135 +162,65 @@ std::vector<Level> make_levels(const Staggered& mesh) {
 void set_finest(Level& finest, const Staggered& mesh, const std::array<const double*, 3>& coefficient) {
   for (std::size_t a = 0; a < 3; ++a) {
     const double per_square = 1 / (mesh.spacing[a] * mesh.spacing[a]);
-    const Index stride = finest.stride(a);
-    for (Index k = 0; k < finest.n[2]; ++k) {
-      for (Index j = 0; j < finest.n[1]; ++j) {
-        for (Index i = 0; i < finest.n[0]; ++i) {
-          const std::size_t here = static_cast<std::size_t>(finest.at(i, j, k));
-          Triple at{i, j, k};
-          const Index low = mesh.face(a, at);
-          const bool first = at[a] == 0, last = at[a] == mesh.cells[a] - 1;
-          const bool alone = mesh.periodic[a] && mesh.cells[a] == 1;  // its own neighbour: nothing to exchange
-          finest.weight[a][here] =
-              mesh.is_open(a, low) && !alone && (!first || mesh.periodic[a]) ? coefficient[a][low] * per_square : 0;
-          finest.outlet[a][here] = 0;
-          if (mesh.periodic[a] || !(first || last)) continue;
-          if (first && mesh.is_pressure(a, low)) finest.outlet[a][here] += 2 * coefficient[a][low] * per_square;
-          at[a] += 1;
-          const Index high = mesh.face(a, at);
-          if (last && mesh.is_pressure(a, high)) finest.outlet[a][here] += 2 * coefficient[a][high] * per_square;
-        }
-      }
-    }
-    if (!mesh.periodic[a]) continue;
-    finest.refresh_ghosts(finest.weight[a]);
-    (void)stride;
+    const bool wraps = mesh.periodic[a];
+    for_each_cell(finest, [&](const Triple& at, Index c) {
+      const Index low = mesh.face(a, at), high = low + mesh.face_stride(a, a);
+      const bool first = at[a] == 0, last = at[a] == mesh.cells[a] - 1;
+      // The only cell of a periodic direction is its own neighbour: nothing to exchange.
+      const bool linked = mesh.is_open(a, low) && (!first || (wraps && !last));
+      finest.weight[a][u(c)] = linked ? coefficient[a][low] * per_square : 0;
+      double patches = 0;
+      if (first && mesh.is_pressure(a, low)) patches += 2 * coefficient[a][low] * per_square;  // half a cell away
+      if (last && mesh.is_pressure(a, high)) patches += 2 * coefficient[a][high] * per_square;
+      finest.outlet[a][u(c)] = patches;
+    });
   }
-}
-
-void set_diagonal(Level& level) {
-  for (std::size_t a = 0; a < 3; ++a) level.refresh_ghosts(level.weight[a]);
-  const Index sx = level.stride(0), sy = level.stride(1), sz = level.stride(2);
-  for (Index k = 0; k < level.n[2]; ++k) {
-    for (Index j = 0; j < level.n[1]; ++j) {
-      for (Index i = 0; i < level.n[0]; ++i) {
-        const Index c = level.at(i, j, k);
-        const auto u = [](Index at) { return static_cast<std::size_t>(at); };
-        const double sum = ((level.weight[0][u(c)] + level.weight[0][u(c + sx)]) +
-                            (level.weight[1][u(c)] + level.weight[1][u(c + sy)]) +
-                            (level.weight[2][u(c)] + level.weight[2][u(c + sz)])) +
-                           ((level.outlet[0][u(c)] + level.outlet[1][u(c)]) + level.outlet[2][u(c)]);
-        level.diagonal[u(c)] = sum;
-        level.inverse_diagonal[u(c)] = sum > 0 ? 1 / sum : 0;
-      }
-    }
-  }
+  set_diagonal(finest);
 }
 
 void set_coarser(Level& fine, Level& coarse) {
   const std::size_t a = fine.halved_axis;
   const Index fs = fine.stride(a);
-  const auto u = [](Index at) { return static_cast<std::size_t>(at); };
-  Triple at{};
-  for (at[2] = 0; at[2] < coarse.n[2]; ++at[2]) {
-    for (at[1] = 0; at[1] < coarse.n[1]; ++at[1]) {
-      for (at[0] = 0; at[0] < coarse.n[0]; ++at[0]) {
-        const Index group = at[a], groups = coarse.n[a];
-        const Index size = fine.start[u(group + 1)] - fine.start[u(group)];
-        Triple fine_at = at;
-        fine_at[a] = fine.start[u(group)];
-        const Index c = coarse.at(at[0], at[1], at[2]), first = fine.at(fine_at[0], fine_at[1], fine_at[2]);
-        const Index last = first + (size - 1) * fs;
-        const double here = inner_resistance(fine, first, size);
+  const auto first_of = [&](Triple at, Index group) {
+    at[a] = fine.start[u(group)];
+    return fine.at(at[0], at[1], at[2]);
+  };
+  const auto size_of = [&](Index group) { return fine.start[u(group + 1)] - fine.start[u(group)]; };
 
-        // Along the axis: resistances in series.
-        const double face = fine.weight[a][u(first)];
-        double link = 0, beyond = 0;
-        if (face > 0) {
-          const Index before = group > 0 ? group - 1 : groups - 1;
-          const Index before_size = fine.start[u(before + 1)] - fine.start[u(before)];
-          fine_at[a] = fine.start[u(before)];
-          beyond = inner_resistance(fine, fine.at(fine_at[0], fine_at[1], fine_at[2]), before_size);
-          link = groups > 1 ? 1 / (here + 1 / face + beyond) : 0;
-          if (groups > 1 && before_size == 2) {  // the last cell of the group before leans this way
-            const Index its_last = fine.at(fine_at[0], fine_at[1], fine_at[2]) + fs;
-            fine.lean[u(its_last)] = beyond * link;
-          } else if (before_size == 2) {
-            fine.lean[u(last)] = 0;
-          }
-        } else if (group > 0) {
-          fine.lean[u(first - fs)] = 0;
-        }
-        coarse.weight[a][u(c)] = link;
-        if (size == 2 && groups > 1) {
-          if (face > 0) {
-            fine.lean[u(first)] = here * link;
-          } else {
-            fine.lean[u(first)] = 0;
-          }
-        }
-        double outlet = 0;
-        for (Index f = first; f <= last; f += fs) {
-          const double patch = fine.outlet[a][u(f)];
-          if (patch > 0) outlet += 1 / (here + 1 / patch);
-        }
-        coarse.outlet[a][u(c)] = outlet;
+  for_each_cell(coarse, [&](const Triple& at, Index c) {
+    const Index group = at[a], groups = coarse.n[a], before = group > 0 ? group - 1 : groups - 1;
+    const Index first = first_of(at, group), last = first + (size_of(group) - 1) * fs;
+    const double here = inner_resistance(fine, first, size_of(group));
 
-        // Across it: side by side.
-        for (std::size_t b = 0; b < 3; ++b) {
-          if (b == a) continue;
-          coarse.weight[b][u(c)] = fine.weight[b][u(first)] + (size == 2 ? fine.weight[b][u(last)] : 0);
-          coarse.outlet[b][u(c)] = fine.outlet[b][u(first)] + (size == 2 ? fine.outlet[b][u(last)] : 0);
-        }
-      }
+    // Along the axis resistances in series, across it conductances side by side.
+    const double face = groups > 1 ? fine.weight[a][u(first)] : 0;
+    coarse.weight[a][u(c)] =
+        face > 0 ? 1 / (here + 1 / face + inner_resistance(fine, first_of(at, before), size_of(before))) : 0;
+    coarse.outlet[a][u(c)] = 0;
+    for (Index f = first; f <= last; f += fs) {
+      const double patch = fine.outlet[a][u(f)];
+      if (patch > 0) coarse.outlet[a][u(c)] += 1 / (here + 1 / patch);
     }
-  }
-  // What a cell does not lean on its neighbour group, or on the zero pressure beyond a patch, is its own group's.
-  for (Index k = 0; k < fine.n[2]; ++k) {
-    for (Index j = 0; j < fine.n[1]; ++j) {
-      for (Index i = 0; i < fine.n[0]; ++i) {
-        const Index c = fine.at(i, j, k);
-        fine.own[u(c)] = 1 - fine.lean[u(c)];
-      }
+    for (std::size_t b = 0; b < 3; ++b) {
+      if (b == a) continue;
+      coarse.weight[b][u(c)] = fine.weight[b][u(first)] + (last > first ? fine.weight[b][u(last)] : 0);
+      coarse.outlet[b][u(c)] = fine.outlet[b][u(first)] + (last > first ? fine.outlet[b][u(last)] : 0);
     }
-  }
-  for (at[2] = 0; at[2] < coarse.n[2]; ++at[2]) {
-    for (at[1] = 0; at[1] < coarse.n[1]; ++at[1]) {
-      for (at[0] = 0; at[0] < coarse.n[0]; ++at[0]) {
-        Triple fine_at = at;
-        fine_at[a] = fine.start[u(at[a])];
-        const Index size = fine.start[u(at[a] + 1)] - fine.start[u(at[a])];
-        const Index first = fine.at(fine_at[0], fine_at[1], fine_at[2]);
-        const double here = inner_resistance(fine, first, size);
-        for (Index f = first; size == 2 && f <= first + fs; f += fs) {
-          const double patch = fine.outlet[a][u(f)];
-          if (patch > 0) fine.own[u(f)] -= here / (here + 1 / patch);
-        }
-      }
-    }
-  }
-  fine.refresh_ghosts(fine.lean);
+  });
   set_diagonal(coarse);
+
+  // A cell of a pair leans on the neighbour group, or on the zero beyond a patch, by its share of the resistance between.
+  for_each_cell(coarse, [&](const Triple& at, Index c) {
+    const Index first = first_of(at, at[a]), last = first + (size_of(at[a]) - 1) * fs;
+    const double here = inner_resistance(fine, first, size_of(at[a]));
+    for (const Index f : {first, last}) {
+      const double link = coarse.weight[a][u(f == first ? c : c + coarse.stride(a))];
+      const double patch = fine.outlet[a][u(f)];
+      fine.lean[u(f)] = here * link;
+      fine.own[u(f)] = 1 - here * link - (patch > 0 ? here / (here + 1 / patch) : 0);
+    }
+  });
+  fine.refresh_ghosts(fine.lean);
 }
 
 void restrict_to(const Level& fine, std::vector<double>& from, Level& coarse) {

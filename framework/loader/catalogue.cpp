@@ -57,6 +57,13 @@ Catalogue::Catalogue(std::vector<PluginEntry> plugins) : plugins_(std::move(plug
   std::sort(plugins_.begin(), plugins_.end(), by_kind_and_id);
 }
 
+Catalogue Catalogue::of_file(const fs::path& file) {
+  Catalogue one;
+  one.look_at(fs::absolute(file).lexically_normal(), "command line");
+  std::sort(one.plugins_.begin(), one.plugins_.end(), by_kind_and_id);
+  return one;
+}
+
 void Catalogue::search(const SearchLevel& level) {
   std::error_code failed;
   if (!fs::is_directory(level.folder, failed)) {
@@ -64,15 +71,17 @@ void Catalogue::search(const SearchLevel& level) {
       refused_.push_back({level.folder, "there is no such folder, and " + level.name + " names it.", "Correct the path, or leave it out."});
     return;
   }
-  for (const fs::path& file : libraries_in(fs::absolute(level.folder).lexically_normal())) {
-    const auto loaded = load_library(file);
-    if (const auto* refusal = std::get_if<Refusal>(&loaded)) {
-      refused_.push_back({file, refusal->reason, refusal->fix});
-      continue;
-    }
-    const similitude_entry& entry = *std::get<const similitude_entry*>(loaded);
-    for (std::uint32_t k = 0; k < entry.descriptor_count; ++k) take({entry.descriptors[k], file, level.name, ""});
+  for (const fs::path& file : libraries_in(fs::absolute(level.folder).lexically_normal())) look_at(file, level.name);
+}
+
+void Catalogue::look_at(const fs::path& file, const std::string& level) {
+  const auto loaded = load_library(file);
+  if (const auto* refusal = std::get_if<Refusal>(&loaded)) {
+    refused_.push_back({file, refusal->reason, refusal->fix});
+    return;
   }
+  const similitude_entry& entry = *std::get<const similitude_entry*>(loaded);
+  for (std::uint32_t k = 0; k < entry.descriptor_count; ++k) take({entry.descriptors[k], file, level, ""});
 }
 
 /// What was taken before is nearer and wins; at the same level nothing says which is meant.

@@ -69,6 +69,8 @@ class Catalogue {
   explicit Catalogue(const std::vector<SearchLevel>& levels);
   /// Plugins that are already there: compiled in, or made up by a test. Nothing is searched and nothing is checked.
   explicit Catalogue(std::vector<PluginEntry> plugins);
+  /// The models of one file alone, or why it is refused: for a diagnosis.
+  static Catalogue of_file(const std::filesystem::path& file);
 
   /// In the order of kind, then id.
   const std::vector<PluginEntry>& plugins() const { return plugins_; }
@@ -81,7 +83,9 @@ class Catalogue {
   [[noreturn]] void throw_no_such_model(const std::string& kind, const std::string& id) const;
 
  private:
+  Catalogue() = default;
   void search(const SearchLevel& level);
+  void look_at(const std::filesystem::path& file, const std::string& level);
   void take(const PluginEntry& candidate);
 
   std::vector<SearchLevel> levels_;

@@ -55,9 +55,11 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
     throw std::logic_error(std::string("the number of values does not fit the parameter table of ") + descriptor.id);
 
   const std::vector<similitude_value> complete = without_gaps(descriptor, values);
+  similitude_bed complete_bed = bed;
+  complete_bed.struct_size = sizeof complete_bed;   // whoever filled it knows this program's structure
   similitude_status status{};
   status.row = -1;
-  void* instance = descriptor.create(&k_host, &bed, complete.data(), sets, &status);
+  void* instance = descriptor.create(&k_host, &complete_bed, complete.data(), sets, &status);
   if (instance == nullptr || status.code != 0) {
     if (instance != nullptr) descriptor.destroy(instance);
     throw PluginError(std::string(descriptor.kind) + " model \"" + descriptor.id + "\" cannot be created: " + words_of(status),

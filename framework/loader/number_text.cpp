@@ -12,7 +12,11 @@ std::string number_text(double value) {
 }
 
 std::string range_text(double minimum, double maximum) {
-  return "[" + (std::isinf(minimum) ? "..." : number_text(minimum)) + ", " + (std::isinf(maximum) ? "..." : number_text(maximum)) + "]";
+  std::string text = "[";
+  text += std::isinf(minimum) ? "..." : number_text(minimum);
+  text += ", ";
+  text += std::isinf(maximum) ? "..." : number_text(maximum);
+  return text += "]";
 }
 
 }  // namespace similitude

@@ -14,7 +14,7 @@ constexpr double k_redraw = 0.2;        // [s] of wall time, on a terminal
 constexpr double k_first_lines = 5;     // [s] of wall time between plain lines, at first …
 constexpr double k_later_lines = 60;    // [s] … and in a long run, whose log should stay readable
 constexpr double k_line_every = 0.1;    // of the simulated time
-constexpr int k_bar_columns = 20;
+constexpr std::size_t k_bar_columns = 20;
 
 std::string duration(double seconds) {
   const auto whole = static_cast<long long>(std::llround(seconds));
@@ -47,9 +47,8 @@ std::string Progress::line(const ProgressState& state, double now) const {
   const double elapsed = now - began_, advanced = state.time - first_time_;
   std::string text;
   if (screen_ == Screen::terminal) {
-    const int filled = static_cast<int>(fraction * k_bar_columns);
-    text += "[" + std::string(static_cast<std::size_t>(filled), '#') +
-            std::string(static_cast<std::size_t>(k_bar_columns - filled), '-') + "] ";
+    const auto filled = static_cast<std::size_t>(fraction * k_bar_columns);
+    text.append(1, '[').append(filled, '#').append(k_bar_columns - filled, '-').append("] ");
   }
   text += readable(state.time) + " of " + readable(end_) + " s  " + std::to_string(static_cast<int>(fraction * 100)) + " %";
   if (fraction < 1)

@@ -47,7 +47,7 @@ struct ParticleStore {
   Column<Row> torque;             // [N m]; rotation only
   Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
   Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
-  Column<Row> drag_impulse;       // [N s], received since the last exchange; coupling only
+  Column<Row> drag_impulse;       // [N s], received less what the gas was charged: see Coupling::interpolate; coupling only
   Column<std::uint64_t> id;       // for ever
   Column<std::uint32_t> species;  // index into the scene's particle classes
 

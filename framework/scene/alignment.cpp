@@ -13,7 +13,7 @@ namespace {
 constexpr double k_cells_tolerance = 1e-6;
 constexpr int k_finest_division = 10;
 
-std::string interval_text(double low, double high) { return "[" + in_mm(low) + ", " + in_mm(high) + "]"; }
+std::string interval_text(double low, double high) { return std::string("[") + in_mm(low) + ", " + in_mm(high) + "]"; }
 
 /// The coarsest whole fraction of `cell` on whose faces all coordinates lie, or 0.
 double fitting_cell(const std::vector<double>& coordinates, double cell) {

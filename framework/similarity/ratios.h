@@ -18,14 +18,20 @@ struct ResultRatios {
 
 similitude_ratios identity_ratios();
 
-/// The real bed as a scaling law or a model sees it.
+/// Solids fraction by which a count of particles becomes a settled height: poured, frictional spheres.
+inline constexpr double k_settled_packing = 0.58;
+
+/// The bed as a scaling law or a model sees it, by its first particle class. The settled height follows from the counts if
+/// the case gives none (plates taken as thin); count and height are 0 where they are unknown.
 similitude_bed describe(const RealScene& scene);
 similitude_bed describe(const ModelScene& scene);
 
 /// The bed to be simulated. Lengths, speeds, times, densities, model parameters: everything is scaled here and nowhere else.
+/// Throws InputError if a ratio is not positive, or if it asks for what no model can take (another restitution).
 ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios);
 
-/// How results map back: x/r, t/sqrt(r), v/sqrt(r), omega sqrt(r); pressure and force by bed weight.
+/// How results map back: x/r, t/sqrt(r), v/sqrt(r), omega sqrt(r); pressure and force by bed weight (by the gas's dynamic
+/// pressure in a bed without particles).
 ResultRatios result_ratios(const RealScene& real, const similitude_ratios& ratios);
 
 }  // namespace similitude

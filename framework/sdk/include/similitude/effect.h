@@ -1,8 +1,8 @@
 #pragma once
 /// All that the author of an effect includes. An effect is a type with either or both of
 ///
-///   Relevance relevance(const Bed&) const;                              does this bed call for it? [setup]
-///   template <class V> Addition<V> particles(const Particle<V>&) const;    an extra force on particles [worker]
+///   Relevance relevance(const Bed&) const;   does this bed call for it? without it: cannot tell [setup]
+///   template <class V> Addition<V> particles(const Particle<V>&) const;   an extra force on particles [worker]
 ///
 /// and, as all models, `parameters` and `prepare` (plugin.h). Forces are on one physical particle; the framework gives
 /// the gas the opposite.
@@ -76,8 +76,7 @@ struct EffectTable {
     });
   }
 
-  static constexpr similitude_effect_functions functions = {sizeof(similitude_effect_functions), 0,
-                                                            judges ? &relevance : nullptr,
+  static constexpr similitude_effect_functions functions = {sizeof(similitude_effect_functions), 0, &relevance,
                                                             has_particles ? &particles : nullptr};
 };
 

@@ -1,0 +1,63 @@
+#include <iostream>
+#include <memory>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "loader/describe.h"
+
+namespace similitude::app {
+namespace {
+
+struct PluginsArguments {
+  std::string id, case_file;
+  bool json = false;
+};
+
+Catalogue catalogue_of(const PluginsArguments& arguments) {
+  return arguments.case_file.empty() ? catalogue() : catalogue_for(arguments.case_file);
+}
+
+int say(const std::string& text) {
+  std::cout << text;
+  return 0;
+}
+
+int say(const nlohmann::json& page) {
+  std::cout << page.dump(2) << "\n";
+  return 0;
+}
+
+using Page = std::function<int(const PluginsArguments&)>;
+
+void add_page(CLI::App& plugins, Action& action, const std::string& name, const std::string& doc, bool takes_id, Page page) {
+  auto arguments = std::make_shared<PluginsArguments>();
+  CLI::App* command = plugins.add_subcommand(name, doc);
+  if (takes_id) command->add_option("ID", arguments->id, "id of a model, e.g. gidaspow")->required();
+  command->add_option("--case", arguments->case_file, "also look in this case's plugin_paths");
+  command->add_flag("--json", arguments->json, "for other programs");
+  command->callback([arguments, page, &action] { action = [arguments, page] { return page(*arguments); }; });
+}
+
+}  // namespace
+
+void add_plugins(CLI::App& app, Action& action) {
+  CLI::App* plugins = app.add_subcommand("plugins", "The models that are installed.");
+  plugins->require_subcommand(1);
+  add_page(*plugins, action, "list", "Every plugin: kind, id, version, title, file.", false, [](const PluginsArguments& arguments) {
+    const Catalogue known = catalogue_of(arguments);
+    return arguments.json ? say(plugins_json(known)) : say(plugins_text(known));
+  });
+  add_page(*plugins, action, "info", "A model's parameters with units, defaults and ranges.", true,
+           [](const PluginsArguments& arguments) {
+             const Catalogue known = catalogue_of(arguments);
+             return arguments.json ? say(plugin_info_json(known, arguments.id)) : say(plugin_info_text(known, arguments.id));
+           });
+  add_page(*plugins, action, "failures", "Files that were refused, why, and what to do.", false,
+           [](const PluginsArguments& arguments) {
+             const Catalogue known = catalogue_of(arguments);
+             return arguments.json ? say(failures_json(known)) : say(failures_text(known));
+           });
+}
+
+}  // namespace similitude::app

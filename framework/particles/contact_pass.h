@@ -1,0 +1,99 @@
+#pragma once
+/// Forces of all contacts of one brick: overlap test over the lists, touching contacts gathered into blocks of columns,
+/// the law called once per block, forces and torques scattered back to rows.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <similitude/abi.h>
+
+#include "loader/catalogue.h"
+#include "particles/contact_lists.h"
+#include "particles/store.h"
+#include "particles/surfaces.h"
+
+namespace similitude {
+
+/// Rows of a block: its columns fit the first-level cache beside the rows they come from.
+constexpr std::uint32_t k_block_rows = 128;
+
+/// One block's columns, a thread's own. Columns that a law does not need stay untouched.
+struct alignas(64) BlockColumns {
+  using Numbers = double[k_block_rows];
+  alignas(64) Numbers normal[3], overlap, velocity[3], angular_velocity_i[3], angular_velocity_j[3], radius_i, radius_j;
+  alignas(64) Numbers effective_mass, lever_i, lever_j, force[3], couple[3], history[SIMILITUDE_MAX_HISTORY];
+  // Touching candidates, filled up with copies to a whole block multiple; room for one pack more.
+  std::uint32_t candidate[k_block_rows + 8];
+};
+
+/// The deepest contact so far, as seen by one brick.
+struct DeepestContact {
+  double twice_ratio = 0;             // [-], overlap over the smaller radius
+  std::uint32_t owner = 0, partner = 0;   // rows (of the present order)
+  bool surface = false;               // the partner is a surface
+  std::array<double, 3> place{};      // [m], of the owner
+};
+
+/// What the law said, if it said anything.
+struct LawComplaint {
+  bool raised = false;
+  std::uint32_t brick = 0;
+  std::uint32_t owner = 0;            // row, or ~0 if the law named none
+  std::string text;
+};
+
+class ContactPass {
+ public:
+  /// Throws std::invalid_argument if the law needs rotation and the store has none.
+  ContactPass(ParticleStore& particles, const ContactModel& law, const Surfaces& surfaces, const Bricks& bricks,
+              ContactLists& lists);
+
+  const similitude_contact_needs& needs() const { return needs_; }
+  void set_reach(double reach) { reach_ = reach; }   // [m]
+  void make_room();                                  // for the slots of the present lists
+
+  /// Zeroes the rows' force and torque, then adds what contacts owned by this brick do inside it; shares of partners in
+  /// other bricks go to slots. Returns the number of touching contacts. [worker]
+  std::size_t pairs(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest, LawComplaint& complaint);
+  /// The same for walls and baffles. [worker]
+  std::size_t surfaces(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest,
+                       LawComplaint& complaint);
+  /// Adds the shares that earlier bricks left for this one, in fixed order. [worker], after pairs() of all bricks.
+  void collect_shares(std::uint32_t brick);
+
+ private:
+  struct Run;
+  template <bool Rotation, bool Periodic>
+  void gather(Run& run);
+  template <bool Rotation, bool Across>
+  void scatter(Run& run);
+  template <bool Rotation, bool Periodic, bool Across>
+  std::size_t piece(const Piece& piece, Run& run);
+  template <bool Rotation, bool Periodic>
+  std::size_t both_pieces(Run& run);
+  template <bool Rotation>
+  std::size_t surface_piece(Run& run);
+  template <bool Rotation>
+  void gather_surface(Run& run, std::uint32_t candidate, const SurfaceTouch& touch);
+  template <bool Rotation>
+  void scatter_surfaces(Run& run);
+  void gather_history(Run& run, std::uint32_t first);
+  void scatter_history(Run& run);
+  void fill_up(Run& run);
+  void call_law(Run& run);
+  void note_deepest(Run& run, std::uint32_t first, unsigned lanes);
+  void forget(std::uint32_t candidate);
+
+  ParticleStore& particles_;
+  const ContactModel& law_;
+  const Surfaces& surfaces_;
+  const Bricks& bricks_;
+  ContactLists& lists_;
+  similitude_contact_needs needs_{};
+  double reach_ = 0;
+  Column<Row> share_force_, share_torque_;   // per slot: what the partner feels
+};
+
+}  // namespace similitude

@@ -1,0 +1,356 @@
+#include "particles/engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <omp.h>
+
+#include "particles/bricks.h"
+#include "particles/carried_history.h"
+#include "particles/contact_lists.h"
+#include "particles/contact_pass.h"
+#include "particles/errors.h"
+#include "particles/integrate.h"
+#include "particles/stage_clock.h"
+#include "particles/surfaces.h"
+
+namespace similitude {
+
+namespace {
+
+constexpr double k_default_skin = 0.1;   // [-], of the largest diameter
+
+/// What a brick reports of a sub-step; a cache line of its own.
+struct alignas(64) BrickOutcome {
+  MotionResult motion;
+  std::size_t contacts = 0;
+  DeepestContact deepest;          // since advance() began, or since the last rebuild in it
+  bool near_outlet = false;        // some row may leave before the next rebuild
+  bool left = false;
+};
+
+std::string at_place(double x, double y, double z) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g) m", x, y, z);
+  return text.data();
+}
+
+double wrapped(double position, double period) {
+  const double inside = position - period * std::floor(position / period);
+  return inside < period ? inside : 0;   // rounding may lift a small negative number to the period itself
+}
+
+}  // namespace
+
+struct Engine::Parts {
+  Parts(ParticleStore& store, const ModelScene& scene, const ContactModel& model, const EngineOptions& wanted)
+      : particles(store),
+        law(model),
+        options(wanted),
+        size(scene.size),
+        periodic(scene.periodic),
+        surfaces(scene),
+        needs(needs_of(model)),
+        lists((needs.history_count + 3) / 4, scene.periodic[0] || scene.periodic[1] || scene.periodic[2]),
+        carried(needs),
+        contacts(store, model, surfaces, bricks, lists) {}
+
+  static similitude_contact_needs needs_of(const ContactModel& model) {
+    similitude_contact_needs needs{};
+    needs.struct_size = sizeof(needs);
+    model.functions().needs(model.instance(), &needs);
+    return needs;
+  }
+
+  void advance(std::int64_t sub_steps);
+  void sub_step();
+  void rebuild();
+  void wrap_positions();
+  void mark_leaving();
+  void lay_out();
+  double displacement() const;
+  bool lists_are_due();
+  void keep_deepest();
+  void throw_if_stopped();
+  [[noreturn]] void throw_not_finite(std::uint32_t brick) const;
+
+  ParticleStore& particles;
+  const ContactModel& law;
+  EngineOptions options;
+  std::array<double, 3> size;
+  std::array<bool, 3> periodic;
+  Surfaces surfaces;
+  similitude_contact_needs needs;
+  Bricks bricks;
+  ContactLists lists;
+  CarriedHistory carried;
+  ContactPass contacts;
+
+  Column<Row> reference;                  // positions when the lists were built
+  std::vector<std::uint8_t> leaves;       // per row, at a rebuild
+  std::vector<std::uint32_t> new_row;
+  std::vector<BrickOutcome> outcomes;
+  Column<BlockColumns> columns;           // per thread
+  std::vector<LawComplaint> complaints;   // per thread
+  std::size_t listed_rows = 0;
+  bool stale = true;                      // the lists must be built before the next sub-step, whatever moved
+  double reach = 0;                       // [m], of the law
+  double skin = 0;                        // [m]
+  double travel = 0;                      // [m], no particle is farther than this from its reference
+  std::int64_t steps = 0;
+  EngineReport report;
+  StageClock clock;
+};
+
+// --------------------------------------------------------------------------------------------------------- rebuild
+
+void Engine::Parts::wrap_positions() {
+  const auto rows = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel for schedule(static)
+  for (std::int64_t row = 0; row < rows; ++row) {
+    Row& p = particles.position[static_cast<std::size_t>(row)];
+    if (periodic[0] && !(p.x >= 0 && p.x < size[0])) p.x = wrapped(p.x, size[0]);
+    if (periodic[1] && !(p.y >= 0 && p.y < size[1])) p.y = wrapped(p.y, size[1]);
+    if (periodic[2] && !(p.z >= 0 && p.z < size[2])) p.z = wrapped(p.z, size[2]);
+  }
+}
+
+void Engine::Parts::mark_leaving() {
+  leaves.resize(particles.size());
+  std::fill(leaves.begin(), leaves.end(), std::uint8_t{0});
+  if (!surfaces.has_outlets()) return;
+  for (std::size_t row = 0; row < particles.size(); ++row) {
+    if (!surfaces.has_left(particles.position[row])) continue;
+    leaves[row] = 1;
+    const double radius = particles.position[row].w;
+    ++report.removed;
+    report.removed_mass += particles.velocity[row].w;
+    report.removed_volume += 4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius;
+  }
+}
+
+void Engine::Parts::lay_out() {
+  double largest_radius = 0;
+  for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
+  const auto& functions = law.functions();
+  reach = functions.reach ? functions.reach(law.instance(), 2 * largest_radius) : 0;
+  contacts.set_reach(reach);
+  skin = options.skin > 0 ? options.skin : k_default_skin * 2 * largest_radius;
+  const double cut_off = 2 * largest_radius + reach + skin;
+  if (cut_off != bricks.cut_off()) bricks.lay_out(size, periodic, cut_off);
+}
+
+void Engine::Parts::rebuild() {
+  keep_deepest();
+  wrap_positions();
+  mark_leaving();
+  if (particles.size() > 0) lay_out();
+  bricks.sort(particles, leaves);
+  const std::vector<std::uint32_t>& order = bricks.order();
+  new_row.resize(particles.size());
+  std::fill(new_row.begin(), new_row.end(), CarriedHistory::k_gone);
+  for (std::uint32_t row = 0; row < order.size(); ++row) new_row[order[row]] = row;
+  particles.reorder(order);
+  carried.collect(lists, new_row, order.size());
+
+  double largest_radius = 0;
+  for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
+  lists.build(particles, bricks, surfaces, reach + skin, largest_radius, carried);
+  contacts.make_room();
+
+  reference.resize(order.size());
+  std::copy(particles.position.begin(), particles.position.end(), reference.begin());
+  outcomes.resize(bricks.count());
+  for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
+  listed_rows = order.size();
+  travel = 0;
+  stale = false;
+  ++report.rebuilds;
+  clock.lap(Stage::list);
+}
+
+double Engine::Parts::displacement() const {
+  double farthest = 0;
+#pragma omp parallel for schedule(static) reduction(max : farthest)
+  for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) {
+    farthest = std::max(farthest, largest_displacement_squared(particles, reference, bricks.first_row(brick), bricks.end_row(brick)));
+  }
+  return std::sqrt(farthest);
+}
+
+/// Two particles that came toward each other by the skin may touch unlisted. Looking at all positions is put off while the
+/// fastest particle cannot have come so far; the answer is the same as that of looking every time.
+bool Engine::Parts::lists_are_due() {
+  if (stale) return true;
+  constexpr double rounding = 1 + 1e-9;
+  if (travel * rounding <= 0.5 * skin) return false;
+  travel = displacement();
+  clock.lap(Stage::list);
+  return travel > 0.5 * skin;
+}
+
+// -------------------------------------------------------------------------------------------------------- sub-steps
+
+void Engine::Parts::sub_step() {
+  if (lists_are_due()) rebuild();
+  const Motion motion{options.dt, options.gravity, options.velocity_damping};
+  const bool rotation = needs.rotation != 0;
+  const bool outlets = surfaces.has_outlets();
+  const std::uint32_t count = bricks.count();
+#pragma omp parallel if (count > 1)
+  {
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    const bool main_thread = thread == 0;
+    const auto lap = [&](Stage stage) {
+      if (main_thread) clock.lap(stage);
+    };
+#pragma omp for schedule(dynamic, 1) nowait
+    for (std::uint32_t brick = 0; brick < count; ++brick) {
+      BrickOutcome& outcome = outcomes[brick];
+      outcome.contacts = contacts.pairs(brick, options.dt, columns[thread], outcome.deepest, complaints[thread]);
+      lap(Stage::contacts);
+      outcome.contacts += contacts.surfaces(brick, options.dt, columns[thread], outcome.deepest, complaints[thread]);
+      lap(Stage::walls);
+    }
+#pragma omp barrier
+    lap(Stage::waiting);
+#pragma omp for schedule(dynamic, 1) nowait
+    for (std::uint32_t brick = 0; brick < count; ++brick) {
+      const std::uint32_t begin = bricks.first_row(brick), end = bricks.end_row(brick);
+      contacts.collect_shares(brick);
+      lap(Stage::exchange);
+      BrickOutcome& outcome = outcomes[brick];
+      outcome.motion = integrate(particles, begin, end, motion, rotation);
+      outcome.left = false;
+      if (outlets) {
+        for (std::uint32_t row = begin; row < end; ++row) outcome.left |= surfaces.has_left(particles.position[row]);
+      }
+      lap(Stage::integrate);
+    }
+#pragma omp barrier
+    lap(Stage::waiting);
+  }
+  ++steps;
+  throw_if_stopped();
+
+  double fastest = 0;
+  for (const BrickOutcome& outcome : outcomes) {
+    fastest = std::max(fastest, outcome.motion.largest_speed_squared);
+    stale |= outcome.left;
+  }
+  report.largest_speed = std::sqrt(fastest);
+  travel += options.dt * report.largest_speed;
+  report.particle_steps += listed_rows;
+}
+
+void Engine::Parts::advance(std::int64_t sub_steps) {
+  clock.start();
+  const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  if (columns.size() < threads) {
+    columns.resize(threads);
+    complaints.resize(threads);
+  }
+  report.largest_overlap = {};
+  for (BrickOutcome& outcome : outcomes) outcome.deepest = {};
+  // Others may have added particles or moved them since.
+  if (particles.size() != listed_rows) {
+    stale = true;
+  } else if (!stale) {
+    travel = displacement();
+  }
+  for (std::int64_t n = 0; n < sub_steps; ++n) sub_step();
+  if (stale && particles.size() > 0 && sub_steps > 0) rebuild();   // who has left must not be seen outside
+  keep_deepest();
+  report.contacts = 0;
+  for (const BrickOutcome& outcome : outcomes) report.contacts += outcome.contacts;
+}
+
+void Engine::Parts::keep_deepest() {
+  for (BrickOutcome& outcome : outcomes) {
+    const DeepestContact& deepest = outcome.deepest;
+    if (0.5 * deepest.twice_ratio > report.largest_overlap.overlap_ratio) {
+      const std::uint64_t partner = deepest.surface ? ~std::uint64_t{0} : particles.id[deepest.partner];
+      report.largest_overlap = {0.5 * deepest.twice_ratio, particles.id[deepest.owner], partner, deepest.place};
+    }
+    outcome.deepest = {};
+  }
+}
+
+void Engine::Parts::throw_if_stopped() {
+  const LawComplaint* first = nullptr;
+  for (const LawComplaint& complaint : complaints) {
+    if (complaint.raised && (!first || complaint.brick < first->brick)) first = &complaint;
+  }
+  if (first) {
+    std::string who = "a contact";
+    if (first->owner < particles.size()) {
+      const Row& p = particles.position[first->owner];
+      who = "particle " + std::to_string(particles.id[first->owner]) + " at " + at_place(p.x, p.y, p.z);
+    }
+    const std::string text = first->text;
+    for (LawComplaint& complaint : complaints) complaint = {};
+    throw SimulationError("The contact law " + std::string(law.descriptor().id) + " stopped the run for " + who + " in sub-step " +
+                              std::to_string(steps) + ": " + text,
+                          "");
+  }
+  for (std::uint32_t brick = 0; brick < outcomes.size(); ++brick) {
+    if (!outcomes[brick].motion.finite) throw_not_finite(brick);
+  }
+}
+
+void Engine::Parts::throw_not_finite(std::uint32_t brick) const {
+  std::uint32_t row = bricks.first_row(brick);
+  const auto finite = [](const Row& r) { return std::isfinite(r.x + r.y + r.z + r.w); };
+  for (; row + 1 < bricks.end_row(brick); ++row) {
+    if (!finite(particles.position[row]) || !finite(particles.velocity[row])) break;
+    if (needs.rotation && !finite(particles.angular_velocity[row])) break;
+  }
+  const Row& last = reference[row];
+  throw SimulationError("Particle " + std::to_string(particles.id[row]) + " has a position or velocity that is not a finite number after sub-step " +
+                            std::to_string(steps) + "; it was last listed at " + at_place(last.x, last.y, last.z) + ".",
+                        "Usually the time step is too long for the contact stiffness, or particles overlap at the start: "
+                        "compare time.dt with the limits that `similitude check` prints.");
+}
+
+// --------------------------------------------------------------------------------------------------------- outside
+
+Engine::Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options)
+    : parts_(std::make_unique<Parts>(particles, scene, law, options)) {}
+Engine::~Engine() = default;
+
+void Engine::advance(std::int64_t sub_steps) { parts_->advance(sub_steps); }
+
+void Engine::set_options(const EngineOptions& options) {
+  if (options.skin != parts_->options.skin) parts_->stale = true;
+  parts_->options = options;
+}
+
+const EngineReport& Engine::report() const { return parts_->report; }
+
+std::vector<StageTime> Engine::stage_times() const {
+  std::vector<StageTime> out;
+  for (std::size_t stage = 0; stage < k_stage_count; ++stage) {
+    out.push_back({k_stage_names[stage], parts_->clock.seconds(stage)});
+  }
+  return out;
+}
+
+std::vector<std::string> Engine::passes() const {
+  const Parts& p = *parts_;
+  std::vector<std::string> out;
+  out.push_back("neighbour list (half lists by bricks, rebuilt when a particle has moved by half the skin)");
+  out.push_back("contacts (" + std::string(p.law.descriptor().id) + ", " + std::to_string(p.needs.history_count) +
+                " history values, " + (p.needs.rotation ? "with" : "without") + " rotation)");
+  out.push_back("walls (" + std::to_string(p.surfaces.count()) + " surfaces)");
+  out.push_back("exchange (shares of contacts across bricks)");
+  out.push_back(std::string("integrate (semi-implicit Euler") + (p.particles.fields.coupling ? ", drag implicit)" : ")"));
+  return out;
+}
+
+std::size_t Engine::list_bytes() const {
+  return parts_->lists.bytes() + parts_->bricks.bytes() + parts_->reference.capacity() * sizeof(Row);
+}
+std::size_t Engine::history_bytes() const { return parts_->lists.history_bytes() + parts_->carried.bytes(); }
+
+}  // namespace similitude

@@ -1,0 +1,101 @@
+#include "particles/integrate.h"
+
+#include <algorithm>
+
+#include "particles/pack.h"
+
+namespace similitude {
+
+using pack::V4;
+
+namespace {
+
+template <bool Coupling, bool Rotation, bool Damping>
+MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion) {
+  // The fourth numbers of rows (radius, mass, inertia) pass through: whatever is added to them is 0.
+  const V4 step{motion.dt, motion.dt, motion.dt, 0};
+  const V4 fall{motion.dt * motion.gravity[0], motion.dt * motion.gravity[1], motion.dt * motion.gravity[2], 0};
+  const double damping = motion.dt * motion.velocity_damping;
+  Row* position = particles.position.data();
+  Row* velocity = particles.velocity.data();
+  Row* spin = particles.angular_velocity.data();
+  V4 fastest = pack::all(0);
+  V4 trouble = pack::all(0);   // becomes not-a-number with the first number that is not finite
+
+  const auto advance_row = [&](std::uint32_t row) -> V4 {
+    const V4 v = pack::load(velocity[row]);
+    const double mass = v[3];
+    const double step_per_mass = motion.dt / mass;
+    V4 force = pack::load(particles.force[row]);
+    double resistance = 1 + damping;
+    if constexpr (Coupling) {
+      const V4 gas = pack::load(particles.gas[row]);
+      force += pack::load(particles.stress_force[row]) + gas[3] * gas;
+      resistance += step_per_mass * gas[3];
+    }
+    V4 v_new = v + fall + step_per_mass * force;
+    if constexpr (Coupling || Damping) v_new /= pack::all(resistance);
+    v_new = pack::with_fourth(v_new, v);
+    const V4 x_new = pack::load(position[row]) + step * v_new;
+    pack::store(velocity[row], v_new);
+    pack::store(position[row], x_new);
+    if constexpr (Coupling) {
+      const V4 gas = pack::load(particles.gas[row]);
+      const V4 impulse = step * gas[3] * (gas - v_new);
+      pack::store(particles.drag_impulse[row], pack::load(particles.drag_impulse[row]) + impulse);
+    }
+    trouble += (x_new - x_new) + (v_new - v_new);
+    if constexpr (Rotation) {
+      const V4 w = pack::load(spin[row]);
+      V4 w_new = w + motion.dt / w[3] * pack::load(particles.torque[row]);
+      if constexpr (Damping) w_new /= pack::all(1 + damping);
+      w_new = pack::with_fourth(w_new, w);
+      pack::store(spin[row], w_new);
+      trouble += w_new - w_new;
+    }
+    return v_new * v_new;
+  };
+
+  std::uint32_t row = begin;
+  for (; row + 4 <= end; row += 4) {
+    V4 x = advance_row(row), y = advance_row(row + 1), z = advance_row(row + 2), w = advance_row(row + 3);
+    pack::transpose(x, y, z, w);
+    fastest = pack::larger(x + y + z, fastest);
+  }
+  for (; row < end; ++row) {
+    const V4 squares = advance_row(row);
+    fastest = pack::larger(pack::all(squares[0] + squares[1] + squares[2]), fastest);
+  }
+  MotionResult out;
+  out.largest_speed_squared = std::max(std::max(fastest[0], fastest[1]), std::max(fastest[2], fastest[3]));
+  out.finite = trouble[0] == 0 && trouble[1] == 0 && trouble[2] == 0 && trouble[3] == 0;
+  return out;
+}
+
+template <bool Coupling, bool Rotation>
+MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion) {
+  return motion.velocity_damping != 0 ? move<Coupling, Rotation, true>(particles, begin, end, motion)
+                                      : move<Coupling, Rotation, false>(particles, begin, end, motion);
+}
+
+}  // namespace
+
+MotionResult integrate(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion, bool rotation) {
+  if (particles.fields.coupling) {
+    return rotation ? move<true, true>(particles, begin, end, motion) : move<true, false>(particles, begin, end, motion);
+  }
+  return rotation ? move<false, true>(particles, begin, end, motion) : move<false, false>(particles, begin, end, motion);
+}
+
+double largest_displacement_squared(const ParticleStore& particles, const Column<Row>& reference, std::uint32_t begin,
+                                    std::uint32_t end) {
+  double farthest = 0;
+  for (std::uint32_t row = begin; row < end; ++row) {
+    const Row &p = particles.position[row], &r = reference[row];
+    const double dx = p.x - r.x, dy = p.y - r.y, dz = p.z - r.z;
+    farthest = std::max(farthest, dx * dx + dy * dy + dz * dz);
+  }
+  return farthest;
+}
+
+}  // namespace similitude

@@ -1,0 +1,131 @@
+#include "scene/model_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "scene/messages.h"
+#include "scene/section.h"
+#include "scene/units.h"
+
+namespace similitude {
+namespace {
+
+using Row = similitude_parameter;
+
+std::string text_of(const char* text) { return text != nullptr ? text : ""; }
+
+/// Flags and integers may leave the unit out of their row.
+std::string unit_of(const Row& row) {
+  const std::string unit = text_of(row.unit);
+  return unit.empty() ? "1" : unit;
+}
+
+std::span<const Row> rows_of(const similitude_descriptor& model) { return {model.parameters, model.parameter_count}; }
+
+std::vector<std::string> names_of(const similitude_descriptor& model, const std::vector<std::string>& framework_keys) {
+  std::vector<std::string> names;
+  for (const Row& row : rows_of(model)) names.emplace_back(row.name);
+  names.insert(names.end(), framework_keys.begin(), framework_keys.end());
+  return names;
+}
+
+std::string range_text(double low, double high, const std::string& unit) {
+  if (!std::isfinite(low)) return "at most " + format_quantity(high, unit);
+  if (!std::isfinite(high)) return "at least " + format_quantity(low, unit);
+  return "from " + format_quantity(low, unit) + " to " + format_quantity(high, unit);
+}
+
+std::string position(const SourceMark& mark, const std::string& path) { return InputError(mark, path, "").what(); }
+
+void check_range(const Row& row, const std::string& model, const DocumentNode& node, const std::string& path, double value,
+                 std::vector<std::string>& warnings) {
+  const std::string name = row.name;
+  if (value < row.minimum || value > row.maximum)
+    throw InputError(node.mark, path,
+                     node.text + " is out of range: " + model + " takes " + name + " " +
+                         range_text(row.minimum, row.maximum, unit_of(row)) + ".",
+                     name + ": " + text_of(row.doc));
+  if (row.typical_minimum < row.typical_maximum && (value < row.typical_minimum || value > row.typical_maximum))
+    warnings.push_back(position(node.mark, path) + node.text + " is unusual: " + name + " of " + model + " is mostly " +
+                       range_text(row.typical_minimum, row.typical_maximum, unit_of(row)) + ".");
+}
+
+ModelParameter read_parameter(const Row& row, const std::string& model, const DocumentNode& node, const std::string& path,
+                              std::vector<std::string>& warnings) {
+  ModelParameter parameter{row.name, 0, "", row.scales_as, true};
+  switch (row.type) {
+    case SIMILITUDE_FLAG: parameter.real = read_flag(node, path) ? 1 : 0; break;
+    case SIMILITUDE_CHOICE: parameter.text = read_choice(node, path, split_choices(text_of(row.choices))); break;
+    case SIMILITUDE_INTEGER:
+      parameter.real = static_cast<double>(read_integer(node, path, Sign::any));
+      check_range(row, model, node, path, parameter.real, warnings);
+      break;
+    default:
+      parameter.real = read_quantity(node, path, unit_of(row), Sign::any);
+      check_range(row, model, node, path, parameter.real, warnings);
+  }
+  return parameter;
+}
+
+ModelParameter default_of(const Row& row) {
+  ModelParameter parameter{row.name, row.default_value, "", row.scales_as, false};
+  if (row.type == SIMILITUDE_CHOICE) parameter = {row.name, 0, text_of(row.default_text), row.scales_as, false};
+  return parameter;
+}
+
+std::string example_of(const Row& row) {
+  if (row.type == SIMILITUDE_FLAG) return "true";
+  if (row.type == SIMILITUDE_CHOICE) return listed(split_choices(text_of(row.choices)));
+  double value = row.typical_minimum < row.typical_maximum ? row.typical_minimum : 1;
+  value = std::clamp(value, row.minimum, row.maximum);
+  return format_quantity(value, unit_of(row));
+}
+
+const PluginEntry& find_model(const std::string& kind, const DocumentNode& id, const std::string& path,
+                              const Catalogue& catalogue) {
+  const PluginEntry* found = catalogue.find(kind, id.text);
+  if (found != nullptr) return *found;
+  try {
+    catalogue.throw_no_such_model(kind, id.text);
+  } catch (const PluginError& error) {
+    throw PluginError(position(id.mark, path) + error.what());
+  }
+}
+
+}  // namespace
+
+ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path, const Catalogue& catalogue,
+                       const std::vector<std::string>& framework_keys, std::vector<std::string>& warnings) {
+  const DocumentNode* id = node.is_scalar() ? &node : node.find("id");
+  if (id == nullptr || !id->is_scalar())
+    throw InputError(node.mark, path, "the id of a " + kind + " model is missing.",
+                     "Write its id, or {id: …, parameter: value}. Models found: " + listed(catalogue.ids(kind)) + ".");
+  const PluginEntry& plugin = find_model(kind, *id, path, catalogue);
+  const similitude_descriptor& model = *plugin.descriptor;
+  ModelChoice choice{kind, id->text, {}, node.mark};
+
+  const std::vector<std::string> known = names_of(model, framework_keys);
+  for (const DocumentNode::Key& key : node.keys) {
+    if (key.name == "id" || std::find(known.begin(), known.end(), key.name) != known.end()) continue;
+    throw InputError(key.mark, path + "." + key.name, choice.id + " has no such parameter.",
+                     did_you_mean(key.name, known) +
+                         (known.empty() ? "It has none." : "Parameters of " + choice.id + ": " + listed(known) + "."));
+  }
+  for (const Row& row : rows_of(model)) {
+    const DocumentNode* given = node.find(row.name);
+    if (given != nullptr && given->kind != DocumentNode::Kind::nothing) {
+      choice.parameters.push_back(read_parameter(row, choice.id, *given, path + "." + row.name, warnings));
+    } else if (row.required != 0) {
+      throw InputError(node.mark, path, choice.id + " needs the parameter " + row.name + " (" + text_of(row.doc) + ").",
+                       (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of(row) + "}."
+                                         : "Add for example " + std::string(row.name) + ": " + example_of(row) + "."));
+    } else {
+      choice.parameters.push_back(default_of(row));
+    }
+  }
+  return choice;
+}
+
+}  // namespace similitude

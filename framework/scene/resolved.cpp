@@ -1,0 +1,177 @@
+#include "scene/resolved.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "scene/case_keys.h"
+#include "scene/units.h"
+
+namespace similitude {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array k_axes{Axis::x, Axis::y, Axis::z};
+std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
+std::string letter(Axis axis) { return std::string(1, axis_name(axis)); }
+
+std::string in(double si, const char* unit) { return exact_number(si) + " " + unit; }
+
+Json triple(const std::array<double, 3>& values, const char* unit) {
+  return {in(values[0], unit), in(values[1], unit), in(values[2], unit)};
+}
+
+Json interval(const Interval& ends) { return {in(ends.low, "m"), in(ends.high, "m")}; }
+
+/// The unit in which the SI value stands for itself: the plugin's own, or what it is made of.
+std::string si_unit(const std::string& unit) {
+  const Unit parsed = parse_unit(unit).value_or(Unit{});
+  if (parsed.decimal == 0 && parsed.factor == 1) return unit;
+  std::string text;
+  const auto append = [&](const char* symbol, int exponent) {
+    if (exponent != 0) text += (text.empty() ? "" : " ") + std::string(symbol) + "^" + std::to_string(exponent);
+  };
+  append("kg", parsed.dimension.mass);
+  append("m", parsed.dimension.length);
+  append("s", parsed.dimension.time);
+  return text.empty() ? "1" : text;
+}
+
+Json model(const ModelChoice& choice, const Catalogue& catalogue) {
+  Json result{{"id", choice.id}};
+  const PluginEntry* plugin = catalogue.find(choice.kind, choice.id);
+  if (plugin == nullptr) return result;
+  for (std::size_t i = 0; i < choice.parameters.size(); ++i) {
+    const ModelParameter& parameter = choice.parameters[i];
+    const similitude_parameter& row = plugin->descriptor->parameters[i];
+    const std::string unit = row.unit == nullptr || *row.unit == 0 ? "1" : si_unit(row.unit);
+    if (row.type == SIMILITUDE_CHOICE) {
+      result[parameter.name] = parameter.text;
+    } else if (std::isnan(parameter.real)) {
+      continue;   // not given, and no default
+    } else if (row.type == SIMILITUDE_FLAG) {
+      result[parameter.name] = parameter.real != 0;
+    } else if (row.type == SIMILITUDE_INTEGER) {
+      result[parameter.name] = static_cast<std::int64_t>(parameter.real);
+    } else if (unit == "1") {
+      result[parameter.name] = parameter.real;
+    } else {
+      result[parameter.name] = in(parameter.real, unit.c_str());
+    }
+  }
+  return result;
+}
+
+Json bed(const BedFill& fill) {
+  static const char* const kinds[] = {"settle", "lattice", "file", "none"};
+  Json result{{"fill", kinds[static_cast<int>(fill.kind)]}};
+  if (!fill.file.empty()) result["file"] = fill.file;
+  if (fill.height) result["height"] = in(*fill.height, "m");
+  result["seed"] = fill.seed;
+  result["cache"] = fill.cache;
+  return result;
+}
+
+Json patch(const Patch& one) {
+  Json result{{"face", face_name(one.face)}};
+  for (const Axis axis : k_axes)
+    if (axis != one.face.axis && !one.rest) result[letter(axis)] = interval(one.extent[index(axis)]);
+  if (one.rest) result["rest"] = true;
+  if (one.kind == PatchKind::pressure) {
+    result["pressure"] = in(one.pressure, "Pa");
+  } else {
+    result["velocity"] = in(one.velocity, "m/s");
+    result["ramp"] = in(one.ramp, "s");
+  }
+  return result;
+}
+
+/// Plates written as one list come together again under one name.
+Json baffles(const std::vector<Baffle>& plates) {
+  Json result = Json::object();
+  for (const Baffle& plate : plates) {
+    const std::size_t dot = plate.name.find('.');
+    Json& group = result[plate.name.substr(0, dot)];
+    const std::string at = "at_" + letter(plate.normal);
+    if (dot == std::string::npos) {
+      group[at] = in(plate.position, "m");
+    } else {
+      group[at].push_back(in(plate.position, "m"));
+    }
+    for (const Axis axis : k_axes)
+      if (axis != plate.normal) group[letter(axis)] = interval(plate.extent[index(axis)]);
+    group["thickness"] = in(plate.thickness, "m");
+  }
+  return result;
+}
+
+Json bed_scene(const RealScene& scene) {
+  Json result;
+  result["domain"] = {{"size", triple(scene.size, "m")}, {"cell", triple(scene.cell, "m")}};
+  result["gas"] = {{"density", in(scene.gas_density, "kg/m^3")}, {"viscosity", in(scene.gas_viscosity, "Pa s")}};
+  for (const ParticleClass& species : scene.particles) {
+    Json& one = result["particles"][species.name];
+    one = {{"diameter", in(species.diameter, "m")}, {"density", in(species.density, "kg/m^3")}};
+    if (species.count) one["count"] = *species.count;
+  }
+  result["bed"] = bed(scene.bed);
+  for (const Patch& one : scene.patches) result["patches"][one.name] = patch(one);
+  if (!scene.baffles.empty()) result["baffles"] = baffles(scene.baffles);
+  Json periodic = Json::array();
+  for (const Axis axis : k_axes) {
+    if (scene.periodic[index(axis)]) {
+      periodic.push_back(letter(axis));
+      continue;
+    }
+    for (const Side side : {Side::low, Side::high})
+      result["walls"][face_name({axis, side})] =
+          scene.walls[index(axis)][static_cast<std::size_t>(side)] == WallKind::slip ? "slip" : "no_slip";
+  }
+  result["periodic"] = periodic;
+  result["gravity"] = triple(scene.gravity, "m/s^2");
+  return result;
+}
+
+Json or_auto(const std::optional<double>& step) { return step ? Json(in(*step, "s")) : Json("auto"); }
+
+}  // namespace
+
+std::string resolved_case(const RealScene& scene, const std::vector<std::filesystem::path>& plugin_paths,
+                          const Catalogue& catalogue) {
+  Json root;
+  root["similitude"] = k_case_version;
+  root["title"] = scene.title;
+  root["plugin_paths"] = Json::array();
+  for (const std::filesystem::path& folder : plugin_paths) root["plugin_paths"].push_back(folder.string());
+  root["scene"] = bed_scene(scene);
+
+  const Models& models = scene.models;
+  Json& chosen = root["models"];
+  chosen["drag"] = model(models.drag, catalogue);
+  chosen["contact"] = model(models.contact, catalogue);
+  chosen["fluid"] = model(models.fluid, catalogue);
+  chosen["scaling"] = model(models.scaling, catalogue);
+  if (models.simulated_stiffness) chosen["scaling"]["stiffness"] = in(*models.simulated_stiffness, "N/m");
+  if (models.effects_auto) {
+    chosen["effects"] = "auto";
+  } else {
+    chosen["effects"] = Json::array();
+    for (const ModelChoice& effect : models.effects) chosen["effects"].push_back(model(effect, catalogue));
+  }
+
+  if (scene.smoothing_length) root["coupling"]["smoothing"] = in(*scene.smoothing_length, "m");
+  root["time"] = {{"end", in(scene.time.end, "s")}, {"dt", or_auto(scene.time.dt)}, {"gas_dt", or_auto(scene.time.gas_dt)}};
+  const Output& output = scene.output;
+  root["output"]["vtk"] = output.vtk_every > 0 ? "every " + in(output.vtk_every, "s") : "none";
+  root["output"]["monitors"] = "every " + in(output.monitor_every, "s");
+  if (!output.profiles.z.empty()) {
+    Json& profiles = root["output"]["profiles"];
+    profiles["z"] = Json::array();
+    for (const double z : output.profiles.z) profiles["z"].push_back(in(z, "m"));
+    profiles["from"] = in(output.profiles.from, "s");
+  }
+  return root.dump(2);
+}
+
+}  // namespace similitude

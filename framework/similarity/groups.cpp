@@ -1,0 +1,76 @@
+#include "similarity/groups.h"
+
+#include <cmath>
+
+namespace similitude {
+
+SphereInGas sphere_in_gas(const similitude_bed& bed) {
+  return {bed.drag_diameter, bed.particle_density, bed.gas_density, bed.gas_viscosity, bed.gravity};
+}
+
+double reynolds(const SphereInGas& s, double speed) { return s.gas_density * speed * s.diameter / s.gas_viscosity; }
+
+double archimedes(const SphereInGas& s) {
+  return s.gravity * s.gas_density * (s.particle_density - s.gas_density) * (s.diameter * s.diameter * s.diameter) /
+         (s.gas_viscosity * s.gas_viscosity);
+}
+
+double schiller_naumann(double reynolds) {
+  return reynolds < 1000 ? 24 / reynolds * (1 + 0.15 * std::pow(reynolds, 0.687)) : 0.44;
+}
+
+double dalla_valle(double reynolds) {
+  const double root = 0.63 + 4.8 / std::sqrt(reynolds);
+  return root * root;
+}
+
+double terminal_velocity_newton(const SphereInGas& s) {
+  return std::sqrt(3 * s.gravity * s.diameter * (s.particle_density - s.gas_density) / s.gas_density);
+}
+
+double terminal_velocity(const SphereInGas& s, const std::function<double(double)>& drag_coefficient) {
+  const double weight = archimedes(s) * 4 / 3;
+  // Stokes' Ar/18 is the fastest any sphere of this Ar can fall: C_D is never below 24/Re.
+  double low = 0, high = archimedes(s) / 18;
+  while (true) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (drag_coefficient(middle) * middle * middle < weight ? low : high) = middle;
+  }
+  return high * s.gas_viscosity / (s.gas_density * s.diameter);
+}
+
+double minimum_fluidisation_ergun(const SphereInGas& s, double gas_fraction) {
+  const double viscous = 150 * (1 - gas_fraction);
+  const double inertial = 1.75;
+  const double driving = gas_fraction * gas_fraction * gas_fraction * archimedes(s);
+  // The root without cancellation for small Ar.
+  const double re = 2 * driving / (viscous + std::sqrt(viscous * viscous + 4 * inertial * driving));
+  return re * s.gas_viscosity / (s.gas_density * s.diameter);
+}
+
+double minimum_fluidisation_wen_yu(const SphereInGas& s) {
+  const double driving = 0.0408 * archimedes(s);
+  const double re = driving / (std::sqrt(33.7 * 33.7 + driving) + 33.7);
+  return re * s.gas_viscosity / (s.gas_density * s.diameter);
+}
+
+Groups groups(const similitude_bed& bed) {
+  const SphereInGas sphere = sphere_in_gas(bed);
+  const double u0 = bed.superficial_velocity, length = bed.bed_width;
+  const double buoyant_density = bed.particle_density - bed.gas_density;
+  Groups g;
+  g.froude = u0 * u0 / (bed.gravity * length);
+  g.reynolds = reynolds(sphere, u0);
+  g.archimedes = archimedes(sphere);
+  g.stokes = bed.particle_density * (sphere.diameter * sphere.diameter) * u0 / (18 * bed.gas_viscosity * length);
+  g.density_ratio = bed.particle_density / bed.gas_density;
+  g.buoyant_density_ratio = buoyant_density / bed.gas_density;
+  g.length_ratio = length / bed.particle_diameter;
+  g.jet = bed.gas_density * (bed.largest_inlet_velocity * bed.largest_inlet_velocity) / (buoyant_density * bed.gravity * length);
+  g.over_minimum = u0 / minimum_fluidisation_ergun(sphere, k_gas_fraction_at_minimum);
+  g.over_terminal = u0 / terminal_velocity(sphere, schiller_naumann);
+  return g;
+}
+
+}  // namespace similitude

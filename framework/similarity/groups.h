@@ -1,0 +1,60 @@
+#pragma once
+/// Dimensionless groups of a gas-solid bed and the speeds they rest on. Each formula stands once, with its source.
+
+#include <functional>
+
+#include <similitude/abi.h>
+
+namespace similitude {
+
+/// One sphere in one gas: all that its terminal and minimum fluidisation velocities depend on.
+struct SphereInGas {
+  double diameter;           // [m]
+  double particle_density;   // [kg/m^3]
+  double gas_density;        // [kg/m^3]
+  double gas_viscosity;      // [Pa s]
+  double gravity;            // [m/s^2]
+};
+
+/// With the diameter that drag laws see.
+SphereInGas sphere_in_gas(const similitude_bed& bed);
+
+double reynolds(const SphereInGas& sphere, double speed);   // rho_f u d / mu
+double archimedes(const SphereInGas& sphere);               // g rho_f (rho_p - rho_f) d^3 / mu^2
+
+/// Schiller & Naumann (1935): 24/Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000.
+double schiller_naumann(double reynolds);
+/// Dalla Valle (1948): (0.63 + 4.8/sqrt(Re))^2; the single-particle limit of Syamlal-O'Brien.
+double dalla_valle(double reynolds);
+
+/// [m/s], sqrt(3 g d (rho_p - rho_f)/rho_f): Newton's regime, C_D = 4/9; Eq. 18 of the u_t law. Too high below Re ~ 750.
+double terminal_velocity_newton(const SphereInGas& sphere);
+/// [m/s], from C_D Re^2 = 4/3 Ar by bisection to the last bit; C_D Re^2 must grow with Re.
+double terminal_velocity(const SphereInGas& sphere, const std::function<double(double)>& drag_coefficient);
+
+/// [m/s], Ergun (1952), Chem. Eng. Prog. 48, 89: 1.75/eps^3 Re^2 + 150 (1 - eps)/eps^3 Re = Ar.
+double minimum_fluidisation_ergun(const SphereInGas& sphere, double gas_fraction);
+/// [m/s], Wen & Yu (1966), AIChE J. 12, 610: Re = sqrt(33.7^2 + 0.0408 Ar) - 33.7.
+double minimum_fluidisation_wen_yu(const SphereInGas& sphere);
+
+/// Gas fraction of a bed of spheres at minimum fluidisation where nothing better is known.
+inline constexpr double k_gas_fraction_at_minimum = 0.42;
+
+/// L is the bed's width, u0 the mean superficial velocity, u_jet the largest inlet velocity, d what drag laws see except in L/d.
+struct Groups {
+  double froude = 0;                // u0^2 / (g L)
+  double reynolds = 0;              // rho_f u0 d / mu
+  double archimedes = 0;
+  double stokes = 0;                // rho_p d^2 u0 / (18 mu L)
+  double density_ratio = 0;         // rho_p / rho_f
+  double buoyant_density_ratio = 0; // (rho_p - rho_f) / rho_f
+  double length_ratio = 0;          // L / d, of what touches
+  double jet = 0;                   // rho_f u_jet^2 / ((rho_p - rho_f) g L): jet momentum over bed weight, per solids fraction
+  double over_minimum = 0;          // u0 / u_mf, Ergun at k_gas_fraction_at_minimum
+  double over_terminal = 0;         // u0 / u_t, Schiller-Naumann
+};
+
+/// Of a bed with particles and gravity; groups with u0 are 0 if nothing is blown in at the bottom.
+Groups groups(const similitude_bed& bed);
+
+}  // namespace similitude

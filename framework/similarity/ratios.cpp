@@ -1,0 +1,252 @@
+#include "similarity/ratios.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "scene/messages.h"
+
+namespace similitude {
+namespace {
+
+double cube(double x) { return x * x * x; }
+
+double sphere_volume(double diameter) { return std::numbers::pi / 6 * cube(diameter); }
+
+// ------------------------------------------------------------------------------------------------- what the bed is
+
+double bottom_area(const Patch& patch) {
+  return (patch.extent[0].high - patch.extent[0].low) * (patch.extent[1].high - patch.extent[1].low);
+}
+
+struct BottomFlow {
+  double mean = 0, largest = 0;   // [m/s]
+};
+
+template <class Bed>
+BottomFlow bottom_flow(const Scene<Bed>& scene) {
+  const Face bottom{Axis::z, Side::low};
+  const double whole = scene.size[0] * scene.size[1];
+  double covered = 0;
+  for (const Patch& patch : scene.patches)
+    if (patch.face == bottom && !patch.rest) covered += bottom_area(patch);
+  BottomFlow flow;
+  double volume = 0;   // [m^3/s]
+  for (const Patch& patch : scene.patches) {
+    if (patch.kind != PatchKind::velocity) continue;
+    flow.largest = std::max(flow.largest, std::abs(patch.velocity));
+    if (patch.face == bottom) volume += patch.velocity * (patch.rest ? whole - covered : bottom_area(patch));
+  }
+  flow.mean = volume / whole;
+  return flow;
+}
+
+template <class Bed>
+double solids_volume(const Scene<Bed>& scene) {
+  double volume = 0;
+  for (const ParticleClass& species : scene.particles)
+    if (species.count) volume += static_cast<double>(*species.count) * sphere_volume(species.diameter);
+  return volume;
+}
+
+template <class Bed>
+similitude_bed described(const Scene<Bed>& scene) {
+  similitude_bed bed{};
+  bed.struct_size = sizeof bed;
+  bed.dimension = 3;
+  const auto& g = scene.gravity;
+  bed.gravity = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+  bed.gas_density = scene.gas_density;
+  bed.gas_viscosity = scene.gas_viscosity;
+  bed.bed_width = scene.size[0];
+  bed.bed_depth = scene.size[1];
+  const BottomFlow flow = bottom_flow(scene);
+  bed.superficial_velocity = flow.mean;
+  bed.largest_inlet_velocity = flow.largest;
+  if (scene.particles.empty()) return bed;
+
+  const ParticleClass& first = scene.particles.front();
+  bed.particle_diameter = first.diameter;
+  bed.particle_density = first.density;
+  bed.drag_diameter = first.drag_diameter;
+  const double area = scene.size[0] * scene.size[1];
+  if (scene.bed.height) {
+    bed.bed_height = *scene.bed.height;
+    bed.particle_count = std::round(bed.bed_height * area * k_settled_packing / sphere_volume(first.diameter));
+  } else {
+    bed.bed_height = solids_volume(scene) / (k_settled_packing * area);
+    for (const ParticleClass& species : scene.particles) bed.particle_count += static_cast<double>(species.count.value_or(0));
+  }
+  return bed;
+}
+
+// -------------------------------------------------------------------------------------------------------- scaling
+
+void check_ratios(const RealScene& real, const similitude_ratios& ratios) {
+  const std::pair<const char*, double> all[] = {{"length", ratios.length},
+                                                {"diameter", ratios.diameter},
+                                                {"drag_diameter", ratios.drag_diameter},
+                                                {"particle_density", ratios.particle_density},
+                                                {"gas_density", ratios.gas_density},
+                                                {"gas_viscosity", ratios.gas_viscosity},
+                                                {"velocity", ratios.velocity},
+                                                {"time", ratios.time},
+                                                {"stiffness", ratios.stiffness},
+                                                {"modulus", ratios.modulus},
+                                                {"energy_loss", ratios.energy_loss},
+                                                {"parcel_weight", ratios.parcel_weight}};
+  const ModelChoice& law = real.models.scaling;
+  for (const auto& [name, value] : all)
+    if (!(value > 0) || !std::isfinite(value))
+      throw InputError(law.mark, "models.scaling", law.id + " gives the ratio of " + name + " as " + std::to_string(value) + ", which is not above zero.",
+                       "Check its parameters against the bed.");
+  if (ratios.energy_loss != 1)
+    throw InputError(law.mark, "models.scaling",
+                     law.id + " wants 1 - e^2 of the restitution e changed, and no contact model here takes that.",
+                     "Choose parameters of " + law.id + " that leave restitution alone.");
+}
+
+double ratio_of(int scales_as, const similitude_ratios& ratios) {
+  switch (scales_as) {
+    case SIMILITUDE_SCALES_AS_LENGTH: return ratios.length;
+    case SIMILITUDE_SCALES_AS_DIAMETER: return ratios.diameter;
+    case SIMILITUDE_SCALES_AS_TIME: return ratios.time;
+    case SIMILITUDE_SCALES_AS_VELOCITY: return ratios.velocity;
+    case SIMILITUDE_SCALES_AS_STIFFNESS: return ratios.stiffness;
+    case SIMILITUDE_SCALES_AS_MODULUS: return ratios.modulus;
+    default: return 1;
+  }
+}
+
+void scale_model(ModelChoice& model, const similitude_ratios& ratios, const std::optional<double>& simulated_stiffness) {
+  for (ModelParameter& parameter : model.parameters) {
+    if (parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS && simulated_stiffness && !std::isnan(parameter.real)) {
+      parameter.real = *simulated_stiffness;
+    } else {
+      parameter.real *= ratio_of(parameter.scales_as, ratios);   // what was not given is NaN and stays so
+    }
+  }
+}
+
+void scale(Interval& interval, double ratio) {
+  interval.low *= ratio;
+  interval.high *= ratio;
+}
+
+template <class T>
+void scale(std::optional<T>& value, double ratio) {
+  if (value) *value *= ratio;
+}
+
+void scale_particles(ParticleClass& species, const similitude_ratios& ratios) {
+  species.diameter *= ratios.diameter;
+  species.drag_diameter *= ratios.drag_diameter;
+  species.material_diameter *= ratios.length;   // so that results divided by r show the real particle
+  species.density *= ratios.particle_density;
+  species.weight *= ratios.parcel_weight;
+  if (species.count) {
+    // The same bed shape at the same packing: N* = (r/n)^3.
+    const double wanted = static_cast<double>(*species.count) * cube(ratios.length / ratios.diameter);
+    species.count = std::max<std::int64_t>(1, std::llround(wanted));
+  }
+}
+
+template <class From, class To>
+Scene<To> retyped(const Scene<From>& scene) {
+  Scene<To> other;
+  other.title = scene.title;
+  other.name = scene.name;
+  other.folder = scene.folder;
+  other.size = scene.size;
+  other.cell = scene.cell;
+  other.periodic = scene.periodic;
+  other.gravity = scene.gravity;
+  other.walls = scene.walls;
+  other.gas_density = scene.gas_density;
+  other.gas_viscosity = scene.gas_viscosity;
+  other.particles = scene.particles;
+  other.bed = scene.bed;
+  other.patches = scene.patches;
+  other.baffles = scene.baffles;
+  other.smoothing_length = scene.smoothing_length;
+  other.models = scene.models;
+  other.time = scene.time;
+  other.output = scene.output;
+  return other;
+}
+
+}  // namespace
+
+similitude_ratios identity_ratios() {
+  similitude_ratios ratios{};
+  ratios.struct_size = sizeof ratios;
+  ratios.length = ratios.diameter = ratios.drag_diameter = 1;
+  ratios.particle_density = ratios.gas_density = ratios.gas_viscosity = 1;
+  ratios.velocity = ratios.time = 1;
+  ratios.stiffness = ratios.modulus = ratios.energy_loss = 1;
+  ratios.parcel_weight = 1;
+  return ratios;
+}
+
+similitude_bed describe(const RealScene& scene) { return described(scene); }
+similitude_bed describe(const ModelScene& scene) { return described(scene); }
+
+ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios) {
+  check_ratios(real, ratios);
+  const ResultRatios results = result_ratios(real, ratios);
+  ModelScene bed = retyped<RealBed, ModelBed>(real);
+  for (double& size : bed.size) size *= ratios.length;
+  for (double& cell : bed.cell) cell *= ratios.length;
+  bed.gas_density *= ratios.gas_density;
+  bed.gas_viscosity *= ratios.gas_viscosity;
+  for (ParticleClass& species : bed.particles) scale_particles(species, ratios);
+  scale(bed.bed.height, ratios.length);
+  for (Patch& patch : bed.patches) {
+    for (Interval& extent : patch.extent) scale(extent, ratios.length);
+    patch.velocity *= ratios.velocity;
+    patch.ramp *= ratios.time;
+    patch.pressure *= results.pressure;
+  }
+  for (Baffle& baffle : bed.baffles) {
+    baffle.position *= ratios.length;
+    for (Interval& extent : baffle.extent) scale(extent, ratios.length);
+    baffle.thickness *= ratios.length;
+  }
+  scale(bed.smoothing_length, ratios.length);
+
+  const std::optional<double>& stiffness = bed.models.simulated_stiffness;
+  for (ModelChoice* model : {&bed.models.drag, &bed.models.contact, &bed.models.fluid}) scale_model(*model, ratios, stiffness);
+  for (ModelChoice& effect : bed.models.effects) scale_model(effect, ratios, stiffness);
+
+  bed.time.end *= ratios.time;
+  scale(bed.time.dt, ratios.time);
+  scale(bed.time.gas_dt, ratios.time);
+  bed.output.vtk_every *= ratios.time;
+  bed.output.monitor_every *= ratios.time;
+  bed.output.profiles.from *= ratios.time;
+  for (double& z : bed.output.profiles.z) z *= ratios.length;
+  return bed;
+}
+
+ResultRatios result_ratios(const RealScene& real, const similitude_ratios& ratios) {
+  ResultRatios results;
+  results.length = ratios.length;
+  results.time = ratios.time;
+  results.velocity = ratios.velocity;
+  results.angular_velocity = 1 / ratios.time;
+  results.diameter = ratios.diameter;
+  results.mass = ratios.particle_density * cube(ratios.length);
+  if (real.particles.empty()) {
+    results.pressure = ratios.gas_density * (ratios.velocity * ratios.velocity);
+    results.force = results.pressure * (ratios.length * ratios.length);
+    return results;
+  }
+  const double solid = real.particles.front().density, gas = real.gas_density;
+  const double weight = (ratios.particle_density * solid - ratios.gas_density * gas) / (solid - gas);   // (rho_p - rho_f)*
+  results.pressure = weight * ratios.length;
+  results.force = weight * cube(ratios.diameter) / ratios.parcel_weight;
+  return results;
+}
+
+}  // namespace similitude

@@ -1,0 +1,36 @@
+#include <similitude/scaling_law.h>
+
+namespace {
+using namespace similitude;
+
+/// A smaller bed of relatively larger particles in a denser gas: Froude, Reynolds and Archimedes numbers are kept, hence
+/// u0/u_mf and u0/u_t under any drag law. Particle density and gas viscosity stay.
+struct TerminalVelocity {
+  double geometry;   // [-], r
+
+  static void parameters(Parameters<TerminalVelocity>& p) {
+    p.real("geometry", &TerminalVelocity::geometry,
+           {.min = 0.001, .max = 1, .typical_min = 1.0 / 16, .typical_max = 1, .doc = "Simulated over real bed length."});
+  }
+
+  /// With u* = t* = sqrt(r) the Reynolds number asks rho_f* = 1 / (n sqrt(r)), and the Archimedes number then
+  /// rho_p n^2 - (rho_f / sqrt(r)) n - sqrt(r) (rho_p - rho_f) = 0; n is close to r^(1/4).
+  Ratios ratios(const Bed& real) const {
+    if (!(real.particle_density > real.gas_density)) {
+      throw std::invalid_argument(
+          "terminal_velocity needs particles heavier than their gas.\n  Check scene.particles and scene.gas.density.");
+    }
+    const double root = std::sqrt(geometry);
+    const double linear = real.gas_density / root;
+    const double constant = root * (real.particle_density - real.gas_density);
+    const double n = (linear + std::sqrt(linear * linear + 4 * real.particle_density * constant)) /
+                     (2 * real.particle_density);
+    return {.length = geometry, .diameter = n, .drag_diameter = n, .gas_density = 1 / (n * root), .velocity = root,
+            .time = root, .stiffness = geometry * n, .modulus = geometry};
+  }
+};
+
+}  // namespace
+
+SIMILITUDE_SCALING_LAW(TerminalVelocity, "terminal_velocity", "1.0.0", "Smaller bed, larger particles, same u0/u_t",
+                       "Similitude authors")

@@ -1,0 +1,3 @@
+#include "creature.h"
+
+ZOO_TAG(zoo::sound_tag())

@@ -1,0 +1,3 @@
+#include "creature.h"
+
+ZOO_ENTRY(zoo::sound_model("no_tag"))
