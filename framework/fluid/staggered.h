@@ -43,10 +43,11 @@ struct Staggered {
     const int kind_here = kind(axis, face_row);
     return kind_here >= SIMILITUDE_FACE_PATCH ? &grid->patches[kind_here - SIMILITUDE_FACE_PATCH] : nullptr;
   }
-  bool is_pressure(std::size_t axis, Index face_row) const {
-    const similitude_patch* here = patch(axis, face_row);
-    return here && here->kind == SIMILITUDE_PATCH_PRESSURE;
+  bool is_pressure_kind(std::uint8_t face_kind) const {
+    return face_kind >= SIMILITUDE_FACE_PATCH &&
+           grid->patches[face_kind - SIMILITUDE_FACE_PATCH].kind == SIMILITUDE_PATCH_PRESSURE;
   }
+  bool is_pressure(std::size_t axis, Index face_row) const { return is_pressure_kind(kind(axis, face_row)); }
 
   /// The cells below and above a face, -1 outside the domain.
   std::array<Index, 2> cells_of_face(std::size_t axis, const Triple& at) const {

@@ -15,7 +15,7 @@ bool lower_snake(const std::string& text) {
 }
 
 std::string check_choice(const similitude_parameter& parameter) {
-  if (parameter.choices == nullptr || *parameter.choices == '\0') return "a choice without choices";
+  if (parameter.choices == nullptr || *parameter.choices == '\0') return "it is a choice without choices";
   if (parameter.required != 0) return {};
   if (parameter.default_text == nullptr) return "it is neither required nor has it a default";
   if (!is_choice(parameter.choices, parameter.default_text))

@@ -44,14 +44,14 @@ double BlockAverage::standard_error() const {
     sum.weighted += block.weighted;
     sum.weight += block.weight;
   }
-  // Of whole blocks only: the residuals then add up to zero. The open block is at most a tenth of the window.
+  // About the mean of the whole blocks, so that the residuals add up to zero.
   const double whole_mean = sum.weighted / sum.weight;
   double squares = 0;
   for (const Sums& block : blocks_) {
     const double residual = block.weighted - whole_mean * block.weight;
     squares += residual * residual;
   }
-  return std::sqrt(blocks / (blocks - 1) * squares) / sum.weight;
+  return std::sqrt(blocks / (blocks - 1) * squares / (sum.weight * total_.weight));
 }
 
 }  // namespace similitude

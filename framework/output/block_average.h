@@ -19,7 +19,8 @@ class BlockAverage {
   /// NaN where nothing was seen.
   double mean() const;
   /// Of a ratio of sums (Cochran 1977, Sampling Techniques, eq. 6.9), blocks as the sampling units:
-  /// se^2 = n/(n-1) sum (A_b - mean W_b)^2 / (sum W_b)^2, with n = effective_blocks(). NaN where n < 2.
+  /// se^2 = n/(n-1) sum (A_b - mean W_b)^2 / (sum W_b)^2, with n = effective_blocks(). NaN where n < 2. The mean rests on
+  /// the unfinished last block as well, so one factor sum W_b is that of all samples (up to a tenth more).
   double standard_error() const;
   /// (sum W_b)^2 / sum W_b^2 over whole blocks (Kish): blocks that saw little count little.
   double effective_blocks() const;

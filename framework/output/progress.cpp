@@ -24,8 +24,8 @@ std::string duration(double seconds) {
 }
 
 std::string rate(double per_second) {
-  if (per_second >= 1e6) return readable(per_second / 1e6, 3) + " M";
-  if (per_second >= 1e3) return readable(per_second / 1e3, 3) + " k";
+  if (per_second >= 1e6) return readable(per_second / 1e6, 3) + " M ";
+  if (per_second >= 1e3) return readable(per_second / 1e3, 3) + " k ";
   return readable(per_second, 3) + " ";
 }
 

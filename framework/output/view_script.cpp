@@ -53,7 +53,7 @@ def show_particles(file, view):
             shown.SetScaleArray = ["POINTS", "diameter [m]"]
             shown.UseScaleFunction = 0
             shown.GaussianRadius = 0.5
-    colours(shown, "speed [m/s]", "Viridis (matplotlib)", view)
+    colours(shown, "speed [m/s]", "Turbo", view)
     return bed
 
 
@@ -65,9 +65,10 @@ def show_gas(file, view):
     plane.SliceType.Origin = [0.5 * SIZE[0], 0.5 * SIZE[1], 0.5 * SIZE[2]]
     plane.SliceType.Normal = [0.0, 1.0, 0.0]
     shown = Show(plane, view)
+    shown.Position = [0.0, 0.5 * SIZE[1], 0.0]      # drawn on the back wall, where it hides no particle
+    shown.Opacity = 0.5
     ColorBy(shown, ("CELLS", "gas_speed [m/s]"))
-    shown.Opacity = 0.6
-    colours(shown, "gas_speed [m/s]", "Cool to Warm", view)
+    colours(shown, "gas_speed [m/s]", "X Ray", view)
     return gas
 
 
@@ -89,7 +90,6 @@ def show_box(name, low, high, view, representation):
     box.Center = [0.5 * (a + b) for a, b in zip(low, high)]
     shown = Show(box, view)
     shown.SetRepresentationType(representation)
-    ColorBy(shown, None)
     shown.AmbientColor = shown.DiffuseColor = [0.2, 0.2, 0.2]
 
 
@@ -136,6 +136,7 @@ def main():
 
     GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     view.ViewTime = args.time if args.time is not None else max(times)
+    Render(view)
     look_from_the_front(view)
     Render(view)
     if args.screenshot:

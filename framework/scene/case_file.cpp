@@ -105,7 +105,7 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   read_coupling(root.section("coupling"), scene);
   read_time(root.section("time"), scene);
   read_output(root.section("output"), scene);
-  check(scene, document, result.warnings);
+  check_case(scene, document, result.warnings);
   result.resolved = resolved_case(scene, result.plugin_paths, catalogue);
   return result;
 }

@@ -215,7 +215,7 @@ void check_output(const RealScene& scene, const Document& document) {
 
 }  // namespace
 
-void check(const RealScene& scene, const Document& document, std::vector<std::string>& warnings) {
+void check_case(const RealScene& scene, const Document& document, std::vector<std::string>& warnings) {
   check_cells(scene, document);
   check_particles(scene, document);
   check_amount(scene, document, warnings);

@@ -15,6 +15,6 @@ inline constexpr double k_loosest_packing = 0.50;
 inline constexpr double k_densest_packing = 0.64;
 
 /// Throws InputError at the first thing that cannot be; appends what is only doubtful to `warnings`. `document` gives places.
-void check(const RealScene& scene, const Document& document, std::vector<std::string>& warnings);
+void check_case(const RealScene& scene, const Document& document, std::vector<std::string>& warnings);
 
 }  // namespace similitude

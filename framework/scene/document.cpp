@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include <yaml-cpp/yaml.h>
@@ -101,11 +102,11 @@ Document::Document(const std::filesystem::path& file) {
   std::error_code problem;
   if (!std::filesystem::exists(file, problem)) throw InputError(file.string() + ": there is no such file.");
   std::ifstream stream(file);
-  std::ostringstream text;
-  if (std::filesystem::is_directory(file, problem) || !(text << stream.rdbuf()))
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (std::filesystem::is_directory(file, problem) || stream.bad() || !stream.is_open())
     throw InputError(file.string() + ": this is no file that can be read as a case.",
                      "Give the path of a case file, such as configs/quickstart.yaml.");
-  root_ = convert(parse(text.str(), file.string()), file.string(), "", 0);
+  root_ = convert(parse(text, file.string()), file.string(), "", 0);
   root_.mark.file = file.string();
   if (!root_.is_map())
     throw InputError(root_.mark, "", "a case file is a map of keys, but this is " + root_.described() + ".",

@@ -16,6 +16,13 @@ using Row = similitude_parameter;
 
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
+/// A parameter's one sentence without its full stop, to stand inside another.
+std::string doc_of(const Row& row) {
+  std::string doc = text_of(row.doc);
+  if (doc.ends_with('.')) doc.pop_back();
+  return doc;
+}
+
 /// Flags and integers may leave the unit out of their row.
 std::string unit_of(const Row& row) {
   const std::string unit = text_of(row.unit);
@@ -46,7 +53,7 @@ void check_range(const Row& row, const std::string& model, const DocumentNode& n
     throw InputError(node.mark, path,
                      node.text + " is out of range: " + model + " takes " + name + " " +
                          range_text(row.minimum, row.maximum, unit_of(row)) + ".",
-                     name + ": " + text_of(row.doc));
+                     name + ": " + doc_of(row) + ".");
   if (row.typical_minimum < row.typical_maximum && (value < row.typical_minimum || value > row.typical_maximum))
     warnings.push_back(position(node.mark, path) + node.text + " is unusual: " + name + " of " + model + " is mostly " +
                        range_text(row.typical_minimum, row.typical_maximum, unit_of(row)) + ".");
@@ -118,7 +125,7 @@ ModelChoice read_model(const std::string& kind, const DocumentNode& node, const 
     if (given != nullptr && given->kind != DocumentNode::Kind::nothing) {
       choice.parameters.push_back(read_parameter(row, choice.id, *given, path + "." + row.name, warnings));
     } else if (row.required != 0) {
-      throw InputError(node.mark, path, choice.id + " needs the parameter " + row.name + " (" + text_of(row.doc) + ").",
+      throw InputError(node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
                        (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of(row) + "}."
                                          : "Add for example " + std::string(row.name) + ": " + example_of(row) + "."));
     } else {

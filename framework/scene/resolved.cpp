@@ -27,15 +27,7 @@ Json interval(const Interval& ends) { return {in(ends.low, "m"), in(ends.high, "
 /// The unit in which the SI value stands for itself: the plugin's own, or what it is made of.
 std::string si_unit(const std::string& unit) {
   const Unit parsed = parse_unit(unit).value_or(Unit{});
-  if (parsed.decimal == 0 && parsed.factor == 1) return unit;
-  std::string text;
-  const auto append = [&](const char* symbol, int exponent) {
-    if (exponent != 0) text += (text.empty() ? "" : " ") + std::string(symbol) + "^" + std::to_string(exponent);
-  };
-  append("kg", parsed.dimension.mass);
-  append("m", parsed.dimension.length);
-  append("s", parsed.dimension.time);
-  return text.empty() ? "1" : text;
+  return parsed.decimal == 0 && parsed.factor == 1 ? unit : base_units(parsed.dimension);
 }
 
 Json model(const ModelChoice& choice, const Catalogue& catalogue) {

@@ -243,17 +243,24 @@ constexpr std::array<NamedDimension, 18> k_dimension_names{{
 
 std::optional<Unit> parse_unit(std::string_view text) { return UnitParser(text).whole(); }
 
-std::string dimension_name(Dimension dimension) {
-  for (const NamedDimension& known : k_dimension_names)
-    if (known.dimension == dimension) return known.name;
-  std::string text = "a quantity in";
+std::string base_units(Dimension dimension) {
+  std::string text;
   const auto append = [&](const char* symbol, int exponent) {
-    if (exponent != 0) text += std::string(" ") + symbol + (exponent == 1 ? "" : "^" + std::to_string(exponent));
+    if (exponent == 0) return;
+    if (!text.empty()) text += ' ';
+    text += symbol;
+    if (exponent != 1) text += std::string("^").append(std::to_string(exponent));
   };
   append("kg", dimension.mass);
   append("m", dimension.length);
   append("s", dimension.time);
-  return text;
+  return text.empty() ? "1" : text;
+}
+
+std::string dimension_name(Dimension dimension) {
+  for (const NamedDimension& known : k_dimension_names)
+    if (known.dimension == dimension) return known.name;
+  return "a quantity in " + base_units(dimension);
 }
 
 double parse_quantity(std::string_view text, std::string_view unit) {

@@ -34,6 +34,9 @@ struct QuantityError {
 /// Throws QuantityError.
 double parse_quantity(std::string_view text, std::string_view unit);
 
+/// "kg m^-1 s^-1": the coherent unit of a dimension; "1" for pure numbers.
+std::string base_units(Dimension dimension);
+
 /// "a length", "a velocity", …; "a quantity in kg m^-4" if the dimension has no common name.
 std::string dimension_name(Dimension dimension);
 

@@ -38,11 +38,45 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
+/// An effect with all parameters at their defaults.
+ModelChoice with_defaults(const PluginEntry& effect) {
+  ModelChoice choice{.kind = "effect", .id = effect.descriptor->id, .parameters = {}, .mark = {}};
+  for (std::uint32_t i = 0; i < effect.descriptor->parameter_count; ++i) {
+    const similitude_parameter& row = effect.descriptor->parameters[i];
+    choice.parameters.push_back({.name = row.name,
+                                 .real = row.default_value,
+                                 .text = row.default_text != nullptr ? row.default_text : "",
+                                 .scales_as = row.scales_as,
+                                 .given = false});
+  }
+  return choice;
+}
+
+/// `effects: auto` becomes the list of those the real bed calls for.
+void choose_effects(RealScene& scene, const Catalogue& catalogue) {
+  if (!scene.models.effects_auto) return;
+  const similitude_bed bed = describe(scene);
+  for (const std::string& id : catalogue.ids("effect")) {
+    const PluginEntry& effect = *catalogue.find("effect", id);
+    if (relevance_of(effect, bed).verdict == 1) scene.models.effects.push_back(with_defaults(effect));
+  }
+}
+
 }  // namespace
+
+similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed) {
+  const EffectModel model = create_model<similitude_effect_functions>(effect, bed, values_of(with_defaults(effect)));
+  similitude_relevance relevance{};
+  relevance.struct_size = sizeof(relevance);
+  relevance.verdict = -1;
+  if (model.functions().relevance != nullptr) model.functions().relevance(model.instance(), &bed, &relevance);
+  return relevance;
+}
 
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
   assembly.real = scene;
+  choose_effects(assembly.real, catalogue);
   // The real bed's grid is laid only to be checked: its messages speak of the lengths the user wrote.
   const Grid checked(scene);
 
@@ -51,13 +85,17 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
       create<similitude_scaling_functions>(catalogue, scene.models.scaling, real_bed, assembly.plugins);
   assembly.ratios = ratios_of(assembly.scaling, real_bed, scene.models.scaling.mark);
   assembly.results = result_ratios(scene, assembly.ratios);
-  assembly.model = simulated_bed(scene, assembly.ratios);
+  assembly.model = simulated_bed(assembly.real, assembly.ratios);
 
   const Models& models = assembly.model.models;
   const similitude_bed bed = describe(assembly.model);
   assembly.contact = create<similitude_contact_functions>(catalogue, models.contact, bed, assembly.plugins);
   assembly.drag = create<similitude_drag_functions>(catalogue, models.drag, bed, assembly.plugins);
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
+  for (const ModelChoice& choice : models.effects) {
+    EffectModel effect = create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins);
+    if (effect.functions().particles != nullptr) assembly.effects.push_back(std::move(effect));
+  }
   assembly.grid = std::make_unique<Grid>(assembly.model);
 
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);

@@ -21,11 +21,15 @@ struct Assembly {
   ContactModel contact;
   DragModel drag;
   FluidModel fluid;
+  std::vector<EffectModel> effects;      // those with something to do on particles
   similitude_contact_needs contact_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest
 
   bool coupled() const { return fluid.functions().sees_particles != 0; }
 };
+
+/// An effect's answer to whether a bed calls for it.
+similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed);
 
 /// Creates the models of the scene and the simulated bed. Throws InputError for a scene that does not fit its cells and
 /// PluginError for a model that is missing or refuses its parameters.

@@ -127,14 +127,7 @@ std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catal
   const similitude_bed bed = describe(assembly.real);
   for (const std::string& id : catalogue.ids("effect")) {
     const PluginEntry& entry = *catalogue.find("effect", id);
-    std::vector<similitude_value> defaults;
-    for (std::uint32_t i = 0; i < entry.descriptor->parameter_count; ++i) {
-      defaults.push_back({entry.descriptor->parameters[i].default_value, entry.descriptor->parameters[i].default_text});
-    }
-    const EffectModel effect = create_model<similitude_effect_functions>(entry, bed, defaults);
-    similitude_relevance relevance{};
-    relevance.struct_size = sizeof(relevance);
-    effect.functions().relevance(effect.instance(), &bed, &relevance);
+    const similitude_relevance relevance = relevance_of(entry, bed);
     const std::string group = relevance.group != nullptr ? relevance.group : "";
     verdicts.push_back({.id = id,
                         .group = group,

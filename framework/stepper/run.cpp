@@ -88,10 +88,10 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   const OutputDirectory directory(folder, options.force);
 
   const StopSignal stop_signal;
-  Progress filling(std::cerr, Progress::screen_of_standard_error(), 1);
-  StartingBed bed = fill_bed(assembly, steps, [](double fraction, const std::string& stage) {
-    (void)fraction;
-    (void)stage;
+  StartingBed bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
+    if (stage == said) return;
+    said = stage;
+    std::cerr << stage << " …\n";
   });
 
   const double end = options.until ? std::min(*options.until, case_file.scene.time.end) : case_file.scene.time.end;

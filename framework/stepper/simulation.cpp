@@ -39,6 +39,7 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   assembly.fluid.functions().initialise(assembly.fluid.instance(), &assembly.grid->table(), &fields, &status);
   guards_.check_gas(gas_report_, status, 0);
 
+  for (const EffectModel& effect : assembly.effects) effects_.emplace_back(assembly.model, *assembly.grid, effect);
   engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
                                      EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
   assemble_stages();
@@ -87,6 +88,10 @@ void Simulation::assemble_stages() {
   }
   stages_.push_back({std::string("fluid: ") + assembly_.fluid.descriptor().id, [this] { advance_gas(); }});
   stages_.push_back({"interpolate", [this, gas_dt] { coupling_->interpolate(particles_, gas_, gas_dt); }});
+  for (EffectPass& effect : effects_) {
+    stages_.push_back({std::string("effect: ") + effect.id(),
+                       [this, gas_dt, &effect] { effect.apply(particles_, coupling_->fields().gas_fraction, gas_dt); }});
+  }
   stages_.push_back({"particles", [this] { engine_->advance(steps_.sub_steps); }});
   if (assembly_.coupled()) {
     stages_.push_back({"settle accounts", [this] { coupling_->settle_accounts(particles_); }});

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "coupling/coupling.h"
+#include "coupling/effect_pass.h"
 #include "particles/engine.h"
 #include "stepper/assembly.h"
 #include "stepper/guards.h"
@@ -60,6 +61,7 @@ class Simulation {
   ParticleStore particles_;
   GasFields gas_;
   std::unique_ptr<Coupling> coupling_;
+  std::vector<EffectPass> effects_;
   std::unique_ptr<Engine> engine_;
   std::vector<double> no_exchange_;     // zeros that a given gas may read
   std::vector<double> unit_fraction_;

@@ -65,7 +65,7 @@ TEST(Zoo, ATagWithoutAnEntrySymbolIsRefused) {
 }
 
 TEST(Zoo, ATagOfAnotherSizeIsRefused) {
-  expect_refusal("short_tag", "its tag has 24 bytes, this program reads 108.", k_rebuild);
+  expect_refusal("short_tag", "its tag has 24 bytes, this program reads 104.", k_rebuild);
 }
 
 TEST(Zoo, ATagWithAnotherMagicIsNotOurs) {

@@ -53,7 +53,7 @@ bool rotates(const Law& law) {
   }
 }
 
-inline Contact<Pack> contact_at(const similitude_contact_block& block, std::size_t row) {
+SIMILITUDE_INLINE Contact<Pack> contact_at(const similitude_contact_block& block, std::size_t row) {
   Contact<Pack> c;
   c.dt = block.dt;
   c.normal = load(block.normal, row);

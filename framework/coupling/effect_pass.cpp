@@ -1,0 +1,109 @@
+#include "coupling/effect_pass.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "particles/errors.h"
+
+namespace similitude {
+namespace {
+
+constexpr std::size_t k_block_rows = 256;
+static_assert(k_block_rows % SIMILITUDE_ROW_MULTIPLE == 0);
+
+enum ColumnOfBlock : std::size_t {
+  k_diameter, k_mass, k_vx, k_vy, k_vz, k_ux, k_uy, k_uz, k_fraction, k_density, k_viscosity, k_fx, k_fy, k_fz, k_linear, k_columns
+};
+
+}  // namespace
+
+EffectPass::EffectPass(const ModelScene& scene, const Grid& grid, const EffectModel& effect)
+    : map_(grid), effect_(effect), classes_(scene.particles), gas_density_(scene.gas_density), gas_viscosity_(scene.gas_viscosity),
+      fraction_(map_.cell_count()) {
+  workspaces_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  for (auto& workspace : workspaces_) workspace.resize(k_columns * k_block_rows);
+}
+
+void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double gas_dt, Column<double>& workspace,
+                             similitude_status& status) const {
+  const auto column = [&](std::size_t which) { return workspace.data() + which * k_block_rows; };
+  const std::size_t first = block * k_block_rows;
+  const std::size_t rows = std::min(k_block_rows, particles.size() - first);
+  const std::size_t padded = (rows + SIMILITUDE_ROW_MULTIPLE - 1) / SIMILITUDE_ROW_MULTIPLE * SIMILITUDE_ROW_MULTIPLE;
+
+  for (std::size_t n = 0; n < padded; ++n) {
+    const std::size_t p = first + std::min(n, rows - 1);   // padding repeats the last particle
+    const ParticleClass& species = classes_[particles.species[p]];
+    const double d = species.drag_diameter;
+    column(k_diameter)[n] = d;
+    column(k_mass)[n] = species.density * (std::numbers::pi / 6 * (d * d * d));
+    column(k_vx)[n] = particles.velocity[p].x;
+    column(k_vy)[n] = particles.velocity[p].y;
+    column(k_vz)[n] = particles.velocity[p].z;
+    column(k_ux)[n] = particles.gas[p].x;
+    column(k_uy)[n] = particles.gas[p].y;
+    column(k_uz)[n] = particles.gas[p].z;
+    column(k_fraction)[n] = gather(map_.stencil(particles.position[p]), fraction_).w;
+    column(k_density)[n] = gas_density_;
+    column(k_viscosity)[n] = gas_viscosity_;
+    column(k_fx)[n] = column(k_fy)[n] = column(k_fz)[n] = column(k_linear)[n] = 0;
+  }
+
+  const similitude_particle_block view{.struct_size = sizeof(similitude_particle_block),
+                                       .rows = static_cast<std::uint32_t>(padded),
+                                       .dt = gas_dt,
+                                       .diameter = column(k_diameter),
+                                       .mass = column(k_mass),
+                                       .velocity = {column(k_vx), column(k_vy), column(k_vz)},
+                                       .gas_velocity = {column(k_ux), column(k_uy), column(k_uz)},
+                                       .gas_fraction = column(k_fraction),
+                                       .gas_density = column(k_density),
+                                       .gas_viscosity = column(k_viscosity),
+                                       .force = {column(k_fx), column(k_fy), column(k_fz)},
+                                       .linear_coefficient = column(k_linear)};
+  effect_.functions().particles(effect_.instance(), &view, &status);
+  if (status.code != 0) return;
+
+  for (std::size_t n = 0; n < rows; ++n) {
+    const std::size_t p = first + n;
+    const double weight = classes_[particles.species[p]].weight;
+    const Row force{weight * column(k_fx)[n], weight * column(k_fy)[n], weight * column(k_fz)[n], 0};
+    particles.gas[p].w += weight * column(k_linear)[n];
+    particles.stress_force[p].x += force.x;
+    particles.stress_force[p].y += force.y;
+    particles.stress_force[p].z += force.z;
+    particles.drag_impulse[p].x += force.x * gas_dt;
+    particles.drag_impulse[p].y += force.y * gas_dt;
+    particles.drag_impulse[p].z += force.z * gas_dt;
+  }
+}
+
+void EffectPass::apply(ParticleStore& particles, const Column<double>& gas_fraction, double gas_dt) {
+  for (std::size_t c = 0; c < fraction_.size(); ++c) fraction_[c].w = gas_fraction[c];
+  const std::size_t blocks = (particles.size() + k_block_rows - 1) / k_block_rows;
+  std::size_t failed = blocks;   // the first block that failed, whichever thread met it
+  similitude_status failure{};
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
+    const auto block = static_cast<std::size_t>(b);
+    similitude_status status{};
+    apply_block(block, particles, gas_dt, workspaces_[static_cast<std::size_t>(omp_get_thread_num())], status);
+    if (status.code != 0) {
+#pragma omp critical(similitude_effect_failure)
+      if (block < failed) {
+        failed = block;
+        failure = status;
+      }
+    }
+  }
+  if (failed < blocks) {
+    throw SimulationError(std::string("the effect \"") + effect_.descriptor().id + "\" failed: " + failure.text,
+                          "Leave it out of models.effects, or ask its author.");
+  }
+}
+
+}  // namespace similitude

@@ -1,0 +1,36 @@
+#pragma once
+/// An effect's force on particles, in blocks, with its reaction on the gas. Parcel weight and accounts are applied here.
+
+#include <vector>
+
+#include "coupling/cell_map.h"
+#include "loader/catalogue.h"
+#include "particles/store.h"
+#include "scene/scene.h"
+
+namespace similitude {
+
+class EffectPass {
+ public:
+  /// The effect must have a particle pass and must outlive this. [setup]
+  EffectPass(const ModelScene& scene, const Grid& grid, const EffectModel& effect);
+
+  /// After Coupling::interpolate and before the sub-steps: adds the explicit force to stress_force and the linear coefficient
+  /// to K, both held over the gas step. What the gas was not charged for stays in drag_impulse, so settle_accounts() owes it.
+  /// Throws SimulationError if the effect reports a failure.
+  const char* id() const { return effect_.descriptor().id; }
+  void apply(ParticleStore& particles, const Column<double>& gas_fraction, double gas_dt);
+
+ private:
+  void apply_block(std::size_t block, ParticleStore& particles, double gas_dt, Column<double>& workspace,
+                   similitude_status& status) const;
+
+  CellMap map_;
+  const EffectModel& effect_;
+  std::vector<ParticleClass> classes_;
+  double gas_density_, gas_viscosity_;   // [kg/m^3], [Pa s]
+  CellRows fraction_;                    // w: gas fraction
+  std::vector<Column<double>> workspaces_;
+};
+
+}  // namespace similitude

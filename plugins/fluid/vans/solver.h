@@ -1,0 +1,81 @@
+#pragma once
+/// Volume-averaged Navier-Stokes, model A, incompressible, on a staggered grid:
+///
+///   d(eps)/dt + div(eps u) = 0
+///   rho [d(eps u)/dt + div(eps u u)] = -eps grad p + eps div(tau) - E u + (E v) + R
+///
+/// with E, (E v) and R from the particles (similitude_gas_step) and p without its hydrostatic part. A step predicts u with
+/// the old pressure, drag already implicit, and projects: rho eps (u' - u*)/dt = -eps grad(p' - p) - E (u' - u*), so that
+/// the coefficient of the pressure equation carries 1/(1 + E dt/(eps rho)).
+///
+/// Face values of cell fields are means of the two cells. With interpolation back by the same mean, what the gas loses on
+/// faces is what particles receive in cells: in a periodic box the momentum of gas and particles is conserved to rounding.
+///
+/// Advection takes two stages (Heun) with the flux of the step's beginning: one Euler stage with a second-order limiter
+/// steepens smooth waves into stairs, and two keep the scheme free of new extremes up to a Courant number near one.
+
+#include <memory>
+#include <string>
+
+#include "advection.h"
+#include "fluid/multigrid_cg.h"
+
+namespace similitude::vans {
+
+struct GasOptions {
+  double density = 0;               // [kg/m^3]
+  double viscosity = 0;             // [Pa s]
+  Advection advection = Advection::tvd;
+  double tolerance = 1e-7;          // [-], of a cell's mass balance relative to the throughput
+  int most_iterations = 100;
+};
+
+class GasSolver {
+ public:
+  /// `grid` stays valid. Throws std::invalid_argument if an inlet has no outlet.
+  GasSolver(const similitude_grid& grid, const GasOptions& options);
+
+  /// Gas at rest at p = 0. Fills the step's fields.
+  void start(const similitude_gas_step& fields);
+  /// Throws std::runtime_error with cause and advice if the pressure equation does not converge or a velocity is not finite.
+  void advance(const similitude_gas_step& step, similitude_gas_report& report);
+
+  /// Velocities on faces, the whole memory of the solver beyond the step's fields.
+  std::uint64_t state_size() const;
+  void save(double* out) const;
+  void load(const double* in);
+
+  /// [m/s], in the layout of similitude_grid; u is interstitial, the superficial one on inlets.
+  const std::vector<double>& face_velocity(std::size_t axis) const { return velocity_[axis]; }
+
+ private:
+  void set_face_fractions(const double* gas_fraction, FaceFields& fraction) const;
+  void set_flux(const FaceFields& fraction);
+  void divergence_of(const FaceFields& field, std::vector<double>& out) const;
+  void viscous_force();
+  void advect(double dt);
+  void predict(const similitude_gas_step& step);
+  SolveReport project(const similitude_gas_step& step, double& throughput);
+  void fill_cells(const similitude_gas_step& step);
+  void fill_report(const similitude_gas_step& step, double throughput, similitude_gas_report& report) const;
+  [[noreturn]] void throw_not_converged(const SolveReport& solved) const;
+
+  Staggered mesh_;
+  GasOptions options_;
+  std::array<Component, 3> components_;
+  MultigridCG pressure_equation_;
+
+  FaceFields velocity_;                  // [m/s], faces and slots
+  FaceFields stage_;                     // [m/s], the intermediate velocity of advection
+  FaceFields flux_;                      // [m/s], eps u
+  FaceFields fraction_old_, fraction_;   // [-], start and end of step
+  FaceFields coefficient_;               // [m^3 s/kg], of the pressure equation
+  FaceFields gradient_;                  // [Pa/m]
+  FaceFields mobility_;                  // [m^3 s/kg], eps / (rho eps/dt + E) at active faces
+  std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
+  std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
+  std::vector<double> site_;             // scratch, sites
+  std::vector<double> divergence_, right_side_, increment_;   // cells
+};
+
+}  // namespace similitude::vans

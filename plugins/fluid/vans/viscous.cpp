@@ -1,0 +1,51 @@
+#include "viscous.h"
+
+namespace similitude::vans {
+
+void tension_along(const Component& component, double viscosity, double spacing, const std::vector<double>& velocity,
+                   const std::vector<double>& divergence, std::vector<double>& tension) {
+  const std::vector<Site>& sites = component.sites[component.axis];
+  const Index count = static_cast<Index>(sites.size());
+  const double twice_per_length = 2 / spacing;
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < count; ++n) {
+    const Row cell = component.cell_of_site[u(n)];
+    const Site& s = sites[u(n)];
+    tension[u(n)] = cell < 0 ? 0
+                             : viscosity * (twice_per_length * (velocity[u(s.above)] - velocity[u(s.below)]) -
+                                            2.0 / 3.0 * divergence[u(cell)]);
+  }
+}
+
+void tension_across(const Component& component, std::size_t direction, double viscosity, const std::array<double, 3>& spacing,
+                    const std::vector<double>& velocity, const std::vector<double>& crossing, std::vector<double>& tension) {
+  const std::vector<Site>& sites = component.sites[direction];
+  const Index count = static_cast<Index>(sites.size());
+  const double per_length = 1 / spacing[direction], per_length_along = 1 / spacing[component.axis];
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < count; ++n) {
+    const Site& s = sites[u(n)];
+    tension[u(n)] = viscosity * (s.shear * ((velocity[u(s.above)] - velocity[u(s.below)]) * per_length) +
+                                 s.cross * ((crossing[u(s.flux[1])] - crossing[u(s.flux[0])]) * per_length_along));
+  }
+}
+
+void pull(const Component& component, std::size_t direction, double spacing, const std::vector<double>& tension,
+          std::vector<double>& force) {
+  const bool along = direction == component.axis;
+  const Index count = along ? component.open_count : static_cast<Index>(component.faces.size());
+  const double per_length = 1 / spacing;
+#pragma omp parallel for schedule(static)
+  for (Index n = 0; n < count; ++n) {
+    const ActiveFace& face = component.faces[u(n)];
+    force[u(n)] += (tension[u(face.high[direction])] - tension[u(face.low[direction])]) * per_length;
+  }
+}
+
+double viscous_limit(double density, double viscosity, const std::array<double, 3>& spacing) {
+  double squares = 0;
+  for (const double h : spacing) squares += 1 / (h * h);
+  return density / (2 * (4.0 / 3.0) * viscosity * squares);
+}
+
+}  // namespace similitude::vans

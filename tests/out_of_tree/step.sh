@@ -1,0 +1,112 @@
+# One step of the out-of-tree tests: step.sh install | headers | refused | build EXAMPLE [AS] | lists | meets EXAMPLE KIND ID FILE
+# | run EXAMPLE FILE. The environment says where everything is; see CMakeLists.txt.
+set -euo pipefail
+
+prefix=$SCRATCH/prefix
+package=$prefix/$LIBDIR/cmake/similitude
+similitude=$prefix/bin/similitude
+unset SIMILITUDE_PLUGIN_PATH similitude_DIR CMAKE_PREFIX_PATH
+export XDG_DATA_HOME=$SCRATCH/empty   # no plugin of the user's own
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# The text that a command must print while it fails; line breaks and indents count as one space.
+expect_failure() {
+  local wanted=$1
+  shift
+  local said
+  if said=$("$@" 2>&1); then fail "this should not have worked: $*"; fi
+  tr -s '[:space:]' ' ' <<<"$said" | grep -qF -- "$wanted" || fail "\"$wanted\" is not in: $said"
+}
+
+configure() {   # folder, then further options
+  local folder=$1
+  shift
+  "$CMAKE" -S "$folder" -B "$folder/build" -G "$GENERATOR" -Dsimilitude_DIR="$package" "$@"
+}
+
+copy() {   # a fresh copy of a folder, away from the source tree
+  rm -rf "${SCRATCH:?}/$2"
+  cp -r "$1" "$SCRATCH/$2"
+}
+
+install_prefix() {
+  rm -rf "$SCRATCH/first_prefix" "$prefix"
+  mkdir -p "$SCRATCH/empty"
+  "$CMAKE" --install "$BUILD" --prefix "$SCRATCH/first_prefix" >/dev/null
+  mv "$SCRATCH/first_prefix" "$prefix"
+  if grep -rlF -e "$SOURCE" -e "$BUILD" -e first_prefix "$package"; then fail "the package remembers where it was built"; fi
+  if find "$prefix" -name '*zoo*' -o -name '*test*' -o -name '*.a' | grep .; then fail "test libraries are installed"; fi
+  if grep -rlE '#include *[<"]Eigen' "$prefix/include"; then fail "a header for plugins asks for Eigen"; fi
+}
+
+headers() {
+  copy "$SOURCE/tests/out_of_tree/headers" headers
+  configure "$SCRATCH/headers" -DINSTALLED_IN="$prefix"
+  "$CMAKE" --build "$SCRATCH/headers/build"
+}
+
+refused() {
+  copy "$SOURCE/tests/out_of_tree/refused" refused
+  local folder=$SCRATCH/refused
+  expect_failure "drag_law: -ffast-math is among its flags, and a plugin must not be built with it. Remove it: -fno-math-errno and -fno-trapping-math, which let loops vectorise, are set already." \
+    configure "$folder" -DCMAKE_CXX_FLAGS=-ffast-math
+  rm -rf "$folder/build"
+  expect_failure "drag_law: -Ofast is among its flags" configure "$folder" -DLATE_OPTION=-Ofast
+  rm -rf "$folder/build"
+  expect_failure "similitude_add_plugin(law): there is no kind \"friction\". Use KIND with one of: drag;contact;fluid;scaling;effect." \
+    configure "$folder" -DKIND=friction
+  rm -rf "$folder/build"
+  expect_failure "similitude_add_plugin(law): a fluid plugin links libsimilitude. Ask for it: find_package(similitude 0.1 REQUIRED COMPONENTS sdk framework)." \
+    configure "$folder" -DKIND=fluid
+  rm -rf "$folder/build"
+  expect_failure "Similitude has no component \"gui\". Its components are sdk and framework." configure "$folder" -DCOMPONENT=gui
+  rm -rf "$folder/build"
+  expect_failure "that is compatible with requested version \"0.99\"" configure "$folder" -DWANTED=0.99
+  rm -rf "$folder/build"
+  expect_failure "similitude-config.cmake, version: $VERSION" configure "$folder" -DWANTED=0.99
+  # A symbol that nobody defines is missed when linking, not when loading.
+  rm -rf "$folder/build"
+  configure "$folder" >/dev/null
+  expect_failure "undefined reference to \`defined_nowhere" "$CMAKE" --build "$folder/build"
+}
+
+build() {   # example, name of the copy
+  local name=${2:-$1}
+  copy "$SOURCE/examples/$1" "$name"
+  configure "$SCRATCH/$name"
+  "$CMAKE" --build "$SCRATCH/$name/build"
+  "$CMAKE" -E chdir "$SCRATCH/$name/build" ctest --output-on-failure --no-tests=ignore
+  "$CMAKE" --install "$SCRATCH/$name/build" --prefix "$SCRATCH/$name/installed" >/dev/null
+  cmp "$SCRATCH/$name"/build/*.so "$SCRATCH/$name/installed/$LIBDIR"/similitude/plugins/*.so
+}
+
+lists() {
+  "$similitude" plugins failures | grep -qx "No file was refused." || fail "the installed program refuses a plugin of its own"
+  local files
+  files=$("$similitude" plugins list --json | grep '"file"')
+  [[ -n $files ]] || fail "the installed program has no plugins"
+  if grep -vF "$prefix/$LIBDIR/similitude/plugins/" <<<"$files"; then fail "a plugin does not come from the prefix"; fi
+}
+
+meets() {   # example, kind, id, file
+  local found
+  found=$(SIMILITUDE_PLUGIN_PATH=$SCRATCH/$1/build "$similitude" plugins info "$3")
+  grep -qF "$3 1.0.0 ($2)" <<<"$found" || fail "$3 is not found: $found"
+  grep -qF "$SCRATCH/$1/build/$4 (SIMILITUDE_PLUGIN_PATH)" <<<"$found" || fail "$3 is found elsewhere: $found"
+  expect_failure "there is no model \"$3\"." "$similitude" plugins info "$3"
+}
+
+run() {   # example, file
+  cd "$SCRATCH/$1"
+  "$similitude" run case.yaml -o results --force --until "5 ms" --threads 1
+  grep -qF "build/$2" results/manifest.json || fail "the manifest does not name $2"
+}
+
+step=$1
+shift
+case $step in
+  install) install_prefix ;;
+  headers | refused | build | lists | meets | run) $step "$@" ;;
+  *) fail "there is no step $step" ;;
+esac
