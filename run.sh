@@ -5,7 +5,7 @@ set -euo pipefail
 
 # Debian packages that it takes to build and run.
 build_packages=(
-  g++ cmake ninja-build
+  g++ cmake ninja-build pkgconf
   libeigen3-dev                          # linear algebra of the gas solver
   libboost-dev libboost-filesystem-dev   # Boost.DLL loads plugins
   libyaml-cpp-dev                        # case files

@@ -18,14 +18,21 @@ function(similitude_flags target)
 endfunction()
 
 # similitude_part(name SOURCES … LINKS … PRIVATE_LINKS …): one folder of framework/ as a static library
-# similitude_<name>; libsimilitude gathers them all. A part links only parts above it in the house.
+# similitude_<name>, for tests; libsimilitude is made of the same objects. A part links only parts above it in the house.
 function(similitude_part name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
-  add_library(similitude_${name} STATIC ${ARG_SOURCES})
+  add_library(similitude_${name}_objects OBJECT ${ARG_SOURCES})
+  target_include_directories(similitude_${name}_objects PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>)
+  target_link_libraries(similitude_${name}_objects PUBLIC similitude_sdk ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+  similitude_flags(similitude_${name}_objects)
+  add_library(similitude_${name} STATIC $<TARGET_OBJECTS:similitude_${name}_objects>)
   target_include_directories(similitude_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/framework>)
   target_link_libraries(similitude_${name} PUBLIC similitude_sdk ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
-  similitude_flags(similitude_${name})
+
+  set(externals ${ARG_LINKS} ${ARG_PRIVATE_LINKS})
+  list(FILTER externals EXCLUDE REGEX "^similitude_")
   set_property(GLOBAL APPEND PROPERTY SIMILITUDE_PARTS similitude_${name})
+  set_property(GLOBAL APPEND PROPERTY SIMILITUDE_EXTERNALS ${externals})
 endfunction()
 
 # similitude_test(name SOURCES … LINKS … [LABELS …]): a GoogleTest program whose cases ctest sees one by one.

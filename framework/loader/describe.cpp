@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -66,7 +67,9 @@ std::string default_text(const similitude_parameter& p) {
   if (p.type == SIMILITUDE_CHOICE) return p.default_text;
   if (std::isnan(p.default_value)) return "left out";
   if (p.type == SIMILITUDE_FLAG) return p.default_value != 0 ? "true" : "false";
-  return number_text(p.default_value);
+  char six_digits[32];   // people need no more; scripts read the JSON
+  std::snprintf(six_digits, sizeof six_digits, "%.6g", p.default_value);
+  return six_digits;
 }
 
 json default_json(const similitude_parameter& p) {

@@ -1,11 +1,11 @@
 #include "loader/descriptor_check.h"
 
-#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "loader/parameter_check.h"
+#include "loader/spelling.h"
 
 namespace similitude {
 namespace {
@@ -14,17 +14,6 @@ namespace {
 using Fault = std::string;
 
 bool blank(const char* text) { return text == nullptr || *text == '\0'; }
-
-/// "gidaspow", or an address read backwards: "org.example.my_law".
-bool well_formed_id(const std::string& text) {
-  static const std::regex pattern("[a-z][a-z0-9_]*|[a-z][a-z0-9-]*(\\.[a-z0-9][a-z0-9_-]*)+");
-  return std::regex_match(text, pattern);
-}
-
-bool well_formed_version(const std::string& text) {
-  static const std::regex pattern("[0-9]+\\.[0-9]+\\.[0-9]+([-+][0-9A-Za-z.+-]*)?");
-  return std::regex_match(text, pattern);
-}
 
 Fault missing(const char* function) { return std::string("its function ") + function + " is missing"; }
 
@@ -85,7 +74,7 @@ Fault check_parameters(const similitude_descriptor& model) {
 }
 
 Fault check_model(const similitude_descriptor& model) {
-  if (!well_formed_version(blank(model.version) ? "" : model.version))
+  if (!is_version(blank(model.version) ? "" : model.version))
     return "its version \"" + std::string(blank(model.version) ? "" : model.version) + "\" is not of the form 1.0.0";
   if (blank(model.title)) return "it has no title";
   if (model.create == nullptr) return missing("create");
@@ -117,7 +106,7 @@ std::optional<Refusal> check_entry(const similitude_entry& entry) {
     if (!kinds.contains(kind))
       return ask_the_author(number + ": there is no kind \"" + kind + "\"; kinds are drag, contact, fluid, scaling and effect");
     const std::string id = blank(model.id) ? "" : model.id;
-    if (!well_formed_id(id))
+    if (!is_model_id(id))
       return ask_the_author(number + ": \"" + id + "\" is no id; write my_law, or org.example.my_law for a third party's");
     const std::string name = kind + " model \"" + id + "\"";
     if (!models.insert(name).second) return ask_the_author("it offers the " + name + " twice");

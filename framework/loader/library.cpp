@@ -4,9 +4,7 @@
 
 #include <cstdio>
 #include <map>
-#include <memory>
 #include <string>
-#include <vector>
 
 #define BOOST_DLL_USE_STD_FS
 #include <boost/dll/shared_library.hpp>
@@ -20,6 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using Outcome = std::variant<const similitude_entry*, Refusal>;
+
+struct MappedLibrary {
+  boost::dll::shared_library library;
+  Outcome outcome;
+};
 
 /// What the system's loader said last, without the file's name, which whoever tells it puts in front.
 std::string loader_words(const fs::path& file) {
@@ -54,9 +57,7 @@ Refusal changed_floating_point(std::uint32_t before, std::uint32_t after) {
           "Rebuild it without -ffast-math and -Ofast, whose start-up code flushes small numbers to zero in the whole program."};
 }
 
-Outcome map_and_check(const fs::path& file) {
-  // Leaked, because a descriptor, a model's code and the library's own statics must outlive everything that uses them.
-  auto& library = *new boost::dll::shared_library;
+Outcome map_and_check(boost::dll::shared_library& library, const fs::path& file) {
   Refusal refusal;
   const std::uint32_t before = floating_point_control();
   const bool mapped = map(library, file, refusal);
@@ -81,11 +82,14 @@ Outcome load_library(const fs::path& file) {
   if (const auto* refusal = std::get_if<Refusal>(&tag)) return *refusal;
   if (auto refusal = check_tag(std::get<similitude_tag>(tag))) return *refusal;
 
-  // Start-up code runs when a library is mapped for the first time only, so what it did must be remembered here.
-  static auto& mapped = *new std::map<fs::path, Outcome>;
+  // Start-up code runs when a library is mapped for the first time only, so what it did must be remembered. Never destroyed:
+  // a descriptor, a model's code and the library's own statics must outlive everything that uses them.
+  static auto& mapped = *new std::map<fs::path, MappedLibrary>;
   const fs::path real = fs::canonical(file);
-  const auto known = mapped.find(real);
-  return known != mapped.end() ? known->second : mapped.emplace(real, map_and_check(real)).first->second;
+  const auto [place, is_new] = mapped.try_emplace(real);
+  MappedLibrary& known = place->second;
+  if (is_new) known.outcome = map_and_check(known.library, real);
+  return known.outcome;
 }
 
 }  // namespace similitude

@@ -1,18 +1,13 @@
 #include "loader/parameter_check.h"
 
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "loader/number_text.h"
+#include "loader/spelling.h"
 
 namespace similitude {
 namespace {
-
-bool lower_snake(const std::string& text) {
-  static const std::regex pattern("[a-z][a-z0-9_]*");
-  return std::regex_match(text, pattern);
-}
 
 std::string check_choice(const similitude_parameter& parameter) {
   if (parameter.choices == nullptr || *parameter.choices == '\0') return "it is a choice without choices";
@@ -50,7 +45,7 @@ std::string check_parameter(const similitude_parameter& parameter) {
   if (parameter.struct_size != sizeof parameter)   // rows of a table follow each other at this distance
     return "its row has " + std::to_string(parameter.struct_size) + " bytes, this program reads " + std::to_string(sizeof parameter);
   if (parameter.name == nullptr) return "it has no name";
-  if (!lower_snake(parameter.name)) return "the name is not lower_snake";
+  if (!is_lower_snake(parameter.name)) return "the name is not lower_snake";
   if (parameter.type < SIMILITUDE_REAL || parameter.type > SIMILITUDE_CHOICE) return "there is no type " + std::to_string(parameter.type);
   if (parameter.scales_as < SIMILITUDE_SCALES_NOT || parameter.scales_as > SIMILITUDE_SCALES_AS_MODULUS)
     return "there is no way of scaling " + std::to_string(parameter.scales_as);

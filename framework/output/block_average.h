@@ -1,5 +1,6 @@
 #pragma once
-/// Mean and standard error of a correlated series by block averages (Flyvbjerg & Petersen 1989, J. Chem. Phys. 91, 461).
+/// Mean and standard error of a correlated series by block averages (Flyvbjerg & Petersen 1989,
+/// J. Chem. Phys. 91, 461).
 
 #include <cstdint>
 #include <vector>
@@ -19,8 +20,8 @@ class BlockAverage {
   /// NaN where nothing was seen.
   double mean() const;
   /// Of a ratio of sums (Cochran 1977, Sampling Techniques, eq. 6.9), blocks as the sampling units:
-  /// se^2 = n/(n-1) sum (A_b - mean W_b)^2 / (sum W_b)^2, with n = effective_blocks(). NaN where n < 2. The mean rests on
-  /// the unfinished last block as well, so one factor sum W_b is that of all samples (up to a tenth more).
+  /// se^2 = n/(n-1) sum (A_b - mean W_b)^2 / (sum W_b)^2, with n = effective_blocks(). NaN where n < 2. The mean rests
+  /// on the unfinished last block as well, so one factor sum W_b is that of all samples (up to a tenth more).
   double standard_error() const;
   /// (sum W_b)^2 / sum W_b^2 over whole blocks (Kish): blocks that saw little count little.
   double effective_blocks() const;
@@ -32,7 +33,7 @@ class BlockAverage {
     double weighted = 0, weight = 0;
   };
   std::vector<Sums> blocks_;
-  Sums open_;                       // the block that is being filled
+  Sums open_;  // the block that is being filled
   Sums total_;
   std::uint64_t in_open_ = 0, block_length_ = 1;
 };

@@ -1,11 +1,12 @@
 #include "output/csv.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cmath>
-#include <fcntl.h>
 #include <stdexcept>
 #include <system_error>
-#include <unistd.h>
 
 #include "output/number.h"
 #include "output/whole_file.h"

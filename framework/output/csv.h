@@ -16,7 +16,8 @@ class CsvWriter {
   CsvWriter& operator=(const CsvWriter&) = delete;
 
   /// One row; handed to the system before this returns. Reals read back as the same double; a NaN
-  /// stands for "does not exist here" and is an empty field. On failure the partial row is cut off and OutputError thrown.
+  /// stands for "does not exist here" and is an empty field. On failure the partial row is cut off and OutputError
+  /// thrown.
   void row(const std::vector<double>& values);
   void row_of_text(const std::vector<std::string>& fields);
 

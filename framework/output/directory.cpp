@@ -1,10 +1,11 @@
 #include "output/directory.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
 #include <cerrno>
-#include <fcntl.h>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
 #include "output/whole_file.h"
@@ -81,8 +82,9 @@ OutputDirectory::OutputDirectory(const fs::path& path, bool force) : path_(path)
     throw InputError("the folder " + path.string() + " cannot be made: " + error.message() + ".",
                      "Give another folder with -o.");
   if (const int no = error_of_writing_in(path); no != 0)
-    throw InputError("the folder " + path.string() + " cannot be written to: " + std::generic_category().message(no) + ".",
-                     "Give another folder with -o, or change its permissions.");
+    throw InputError(
+        "the folder " + path.string() + " cannot be written to: " + std::generic_category().message(no) + ".",
+        "Give another folder with -o, or change its permissions.");
   try {
     if (force) remove_run(path);
   } catch (const fs::filesystem_error& e) {

@@ -8,8 +8,9 @@ namespace similitude {
 
 class OutputDirectory {
  public:
-  /// Creates the folder and the folders above it. If it holds an earlier run: with `force` that run's own files are removed
-  /// (and nothing else), without it InputError (scene/messages.h). InputError too if the folder cannot be made or written to.
+  /// Creates the folder and the folders above it. If it holds an earlier run: with `force` that run's own files are
+  /// removed (and nothing else), without it InputError (scene/messages.h). InputError too if the folder cannot be made
+  /// or written to.
   OutputDirectory(const std::filesystem::path& path, bool force);
 
   const std::filesystem::path& path() const { return path_; }

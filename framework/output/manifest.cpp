@@ -1,10 +1,10 @@
 #include "output/manifest.h"
 
-#include <ctime>
-#include <fstream>
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <ctime>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "output/resolved_case.h"
@@ -85,7 +85,11 @@ std::string utc_now() {
   return text;
 }
 
-void write_manifest(const OutputDirectory& directory, const Manifest& m, const RealScene& real) {
+void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const RealScene& real) {
+  write_manifest(directory, manifest, resolved_case_json(real));
+}
+
+void write_manifest(const OutputDirectory& directory, const Manifest& m, const std::string& resolved_case) {
   json out;
   out["program"] = {{"name", "similitude"}, {"version", m.program_version}};
   out["abi"] = {{"major", SIMILITUDE_ABI_MAJOR}, {"minor", SIMILITUDE_ABI_MINOR}};
@@ -104,7 +108,7 @@ void write_manifest(const OutputDirectory& directory, const Manifest& m, const R
   out["scaling"] = {{"law", m.map_back.scaling_law}, {"ratios", ratios_json(m.scaling)}};
   out["map_back"] = map_back_json(m.map_back);
   out["plugins"] = plugins_json(m.plugins);
-  out["case"] = json::parse(resolved_case_json(real));
+  out["case"] = json::parse(resolved_case);
   // A path need not be UTF-8; a manifest must.
   write_whole_file(directory.file("manifest.json"), out.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }

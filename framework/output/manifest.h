@@ -1,10 +1,10 @@
 #pragma once
 /// manifest.json: all that is needed to say what made these results, and to make them again.
 
+#include <similitude/abi.h>
+
 #include <string>
 #include <vector>
-
-#include <similitude/abi.h>
 
 #include "loader/catalogue.h"
 #include "output/directory.h"
@@ -27,28 +27,30 @@ struct Machine {
 Machine this_machine();
 
 struct Manifest {
-  std::string program_version;           // "0.1.0"
-  std::string command;                   // as typed
+  std::string program_version;  // "0.1.0"
+  std::string command;          // as typed
   std::string case_file;
   std::vector<ManifestPlugin> plugins;
   Machine machine;
   int threads = 1;
-  similitude_ratios scaling{};           // as the law returned them
+  similitude_ratios scaling{};  // as the law returned them
   MapBack map_back;
-  std::uint64_t particles = 0;           // simulated, at the start
-  std::string started, ended;            // UTC, ISO 8601; `ended` empty while running
-  std::string status = "running";        // "running", "done", "stopped", "interrupted", "failed"
-  int exit_status = -1;                  // of the process; -1 while running
-  std::string exit_reason;               // in words: "reached the end time", a guard's message, …
-  double simulated_s = 0;                // [s], of the real bed, reached
-  std::string state_hash;                // "" while running
+  std::uint64_t particles = 0;     // simulated, at the start
+  std::string started, ended;      // UTC, ISO 8601; `ended` empty while running
+  std::string status = "running";  // "running", "done", "stopped", "interrupted", "failed"
+  int exit_status = -1;            // of the process; -1 while running
+  std::string exit_reason;         // in words: "reached the end time", a guard's message, …
+  double simulated_s = 0;          // [s], of the real bed, reached
+  std::string state_hash;          // "" while running
 };
 
 /// "2026-03-01T12:00:00Z"
 std::string utc_now();
 
-/// Replaces manifest.json as a whole; called at the start and at the end. `real` is written out as the resolved case, every
-/// default filled in, in SI units. Throws OutputError.
+/// Replaces manifest.json as a whole; called at the start and at the end. `resolved_case`: CaseFile::resolved, JSON
+/// text of a case file with every default filled in, kept under "case". Throws OutputError.
+void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const std::string& resolved_case);
+/// As above, with resolved_case_json(real) (output/resolved_case.h): for a bed that came from no case file.
 void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const RealScene& real);
 
 }  // namespace similitude

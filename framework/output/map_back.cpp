@@ -26,7 +26,8 @@ std::string map_back_note(const MapBack& map) {
   const bool itself = r.length == 1 && r.time == 1 && r.velocity == 1 && r.pressure == 1 && r.diameter == 1;
   if (itself) return "The real bed itself was simulated; values are as computed.";
   std::string note =
-      "Values are the real bed's: simulated values divided by the ratios of this file. Pressures are mapped by bed weight";
+      "Values are the real bed's: simulated values divided by the ratios of this file. Pressures are mapped by bed "
+      "weight";
   if (map.jet_ratio != 1) note += "; dynamic pressures are off by the jet ratio J* = " + readable(map.jet_ratio);
   note += ". 'diameter [m]' is what touches, 'material_diameter [m]' the real particle's.";
   return note;

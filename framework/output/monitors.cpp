@@ -140,12 +140,11 @@ double bed_height(const ParticleStore& particles) {
   double below = 0, last_z = 0, last_below = 0;
   for (const Layer& layer : layers) {
     const double here = below + 0.5 * layer.mass;
-    if (here >= wanted)
-      return (last_z + (layer.z - last_z) * (wanted - last_below) / (here - last_below)) / k_share;
+    if (here >= wanted) return (last_z + (layer.z - last_z) * (wanted - last_below) / (here - last_below)) / k_share;
     below += layer.mass;
     last_z = layer.z, last_below = here;
   }
-  return last_z / k_share;   // a few particles only: the highest one's centre is as far as mass is seen
+  return last_z / k_share;  // a few particles only: the highest one's centre is as far as mass is seen
 }
 
 Monitors observe(const Observed& simulated, const MapBack& map) {

@@ -17,44 +17,44 @@ namespace similitude {
 /// Of the real bed. NaN: this run has no such thing (no gas, no rotation).
 struct Monitors {
   static constexpr double k_none = std::numeric_limits<double>::quiet_NaN();
-  double time = 0;                        // [s]
-  double particles = 0;                   // simulated ones
-  double removed_particles = 0;           // left through outlets since the start
-  double solids_mass = 0;                 // [kg]
-  std::array<double, 3> solids_momentum{};   // [kg m/s]
-  double kinetic_energy = 0;              // [J], translation of the solids
-  double rotational_energy = k_none;      // [J]
-  double bed_height = k_none;             // [m], see bed_height()
-  double mean_height = k_none;            // [m], of the solids' mass
-  double largest_speed = 0;               // [m/s]
-  double largest_overlap = 0;             // [% of the smaller diameter], since the last row
+  double time = 0;                          // [s]
+  double particles = 0;                     // simulated ones
+  double removed_particles = 0;             // left through outlets since the start
+  double solids_mass = 0;                   // [kg]
+  std::array<double, 3> solids_momentum{};  // [kg m/s]
+  double kinetic_energy = 0;                // [J], translation of the solids
+  double rotational_energy = k_none;        // [J]
+  double bed_height = k_none;               // [m], see bed_height()
+  double mean_height = k_none;              // [m], of the solids' mass
+  double largest_speed = 0;                 // [m/s]
+  double largest_overlap = 0;               // [% of the smaller diameter], since the last row
   double contacts = 0;
-  double gas_mass = k_none;               // [kg]
-  std::array<double, 3> gas_momentum{k_none, k_none, k_none};   // [kg m/s]
-  double pressure_drop = k_none;          // [Pa], mean over the lowest cells minus the outlets'
-  double smallest_gas_fraction = k_none;  // [-]
-  double courant = k_none;                // [-]
-  double gas_mass_residual = k_none;      // [-]
+  double gas_mass = k_none;                                    // [kg]
+  std::array<double, 3> gas_momentum{k_none, k_none, k_none};  // [kg m/s]
+  double pressure_drop = k_none;                               // [Pa], mean over the lowest cells minus the outlets'
+  double smallest_gas_fraction = k_none;                       // [-]
+  double courant = k_none;                                     // [-]
+  double gas_mass_residual = k_none;                           // [-]
   double pressure_iterations = k_none;
-  double inflow = k_none, outflow = k_none;   // [kg/s]
+  double inflow = k_none, outflow = k_none;  // [kg/s]
 };
 
 /// The simulated bed at an instant; null where the run has none.
 struct Observed {
-  double time = 0;                                   // [s], simulated
+  double time = 0;  // [s], simulated
   const ParticleStore* particles = nullptr;
   const EngineReport* engine = nullptr;
   const Grid* grid = nullptr;
   const GasFields* gas = nullptr;
-  const Column<double>* gas_fraction = nullptr;      // null with a gas: one-way, eps = 1
+  const Column<double>* gas_fraction = nullptr;  // null with a gas: one-way, eps = 1
   const similitude_gas_report* gas_report = nullptr;
-  double gas_density = 0;                            // [kg/m^3], simulated
-  double largest_overlap_ratio = 0;                  // [-], since the last row: the engine's report spans one advance() only
+  double gas_density = 0;            // [kg/m^3], simulated
+  double largest_overlap_ratio = 0;  // [-], since the last row: the engine's report spans one advance() only
 };
 Monitors observe(const Observed& simulated, const MapBack& map_back);
 
-/// [m]: 95 % of the solids' mass lies below 0.95 times this height. It is the height of a level bed of even density, and
-/// a few particles thrown high do not move it. NaN without particles.
+/// [m]: 95 % of the solids' mass lies below 0.95 times this height. It is the height of a level bed of even density,
+/// and a few particles thrown high do not move it. NaN without particles.
 double bed_height(const ParticleStore& particles);
 
 /// monitors.csv; every column is named with its unit.

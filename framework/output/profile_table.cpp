@@ -13,7 +13,7 @@ namespace {
 constexpr int k_bar_columns = 30;
 
 struct Range {
-  double low = 0, high = 0;   // zero is always inside, so that a bar begins there
+  double low = 0, high = 0;  // zero is always inside, so that a bar begins there
 };
 
 Range range_of(const std::vector<ProfileRow>& rows) {

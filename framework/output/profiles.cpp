@@ -108,8 +108,7 @@ void ProfileSampler::sample(const Grid& grid, const Column<double>& gas_fraction
   const Shares in_y = shares(grid, map_back_, 1, central_third(settings_.size[1]));
   for (std::size_t level = 0; level < settings_.heights.size(); ++level) {
     const double z0 = settings_.heights[level];
-    const Shares in_z =
-        shares(grid, map_back_, 2, {z0 - settings_.half_thickness, z0 + settings_.half_thickness});
+    const Shares in_z = shares(grid, map_back_, 2, {z0 - settings_.half_thickness, z0 + settings_.half_thickness});
     for (std::size_t column = 0; column < across; ++column) {
       const Shares in_x = shares(grid, map_back_, 0, bin_extent(column));
       Bin& bin = gas_[level * across + column];
@@ -117,9 +116,8 @@ void ProfileSampler::sample(const Grid& grid, const Column<double>& gas_fraction
       for (std::size_t k = 0; k < in_z.lengths.size(); ++k)
         for (std::size_t j = 0; j < in_y.lengths.size(); ++j)
           for (std::size_t i = 0; i < in_x.lengths.size(); ++i) {
-            const std::size_t cell =
-                grid.cell(static_cast<int>(in_x.first + i), static_cast<int>(in_y.first + j),
-                          static_cast<int>(in_z.first + k));
+            const std::size_t cell = grid.cell(static_cast<int>(in_x.first + i), static_cast<int>(in_y.first + j),
+                                               static_cast<int>(in_z.first + k));
             const double share = in_x.lengths[i] * in_y.lengths[j] * in_z.lengths[k];
             sum += share * gas_fraction[cell];
             volume += share;
@@ -136,9 +134,8 @@ void ProfileSampler::append_rows(const std::string& sampler, const std::vector<B
   for (std::size_t bin = 0; bin < bins.size(); ++bin) {
     const Interval extent = bin_extent(bin % across);
     const BlockAverage& average = bins[bin].average;
-    rows.push_back({sampler, 0.5 * (extent.low + extent.high), 0.5 * settings_.size[1],
-                    settings_.heights[bin / across], average.mean(), average.standard_error(), bins[bin].n,
-                    average.effective_blocks()});
+    rows.push_back({sampler, 0.5 * (extent.low + extent.high), 0.5 * settings_.size[1], settings_.heights[bin / across],
+                    average.mean(), average.standard_error(), bins[bin].n, average.effective_blocks()});
   }
 }
 
@@ -150,8 +147,7 @@ std::vector<ProfileRow> ProfileSampler::rows() const {
 }
 
 void write_profiles(const OutputDirectory& directory, const std::vector<ProfileRow>& rows) {
-  CsvWriter csv(directory.file("profiles.csv"),
-                {"sampler", "x", "y", "z", "mean", "standard error", "n", "blocks"});
+  CsvWriter csv(directory.file("profiles.csv"), {"sampler", "x", "y", "z", "mean", "standard error", "n", "blocks"});
   for (const ProfileRow& row : rows)
     csv.row_of_text({row.sampler, csv_number(row.x), csv_number(row.y), csv_number(row.z), csv_number(row.mean),
                      csv_number(row.standard_error), std::to_string(row.n), csv_number(row.blocks)});

@@ -17,27 +17,27 @@ namespace similitude {
 
 /// Of the real bed.
 struct ProfileSettings {
-  std::vector<double> heights;        // [m]
-  std::array<double, 3> size{};       // [m], the bed
-  double from = 0;                    // [s], averaging starts
-  double bin_width = 5e-3;            // [m], along x; the last bin ends at the wall
-  double half_thickness = 2.5e-3;     // [m], of the slab around a height
+  std::vector<double> heights;     // [m]
+  std::array<double, 3> size{};    // [m], the bed
+  double from = 0;                 // [s], averaging starts
+  double bin_width = 5e-3;         // [m], along x; the last bin ends at the wall
+  double half_thickness = 2.5e-3;  // [m], of the slab around a height
 };
 ProfileSettings profile_settings(const RealScene& real);
 
 /// A line of profiles.csv. Of the real bed.
 struct ProfileRow {
-  std::string sampler;                // "vertical_velocity [m/s]", "gas_fraction [1]"
-  double x = 0, y = 0, z = 0;         // [m], centre of the bin
-  double mean = 0;                    // NaN: the bin stayed empty
-  double standard_error = 0;          // NaN: fewer than two blocks saw anything
-  std::uint64_t n = 0;                // particles (cells) counted, over all instants
-  double blocks = 0;                  // effective number of blocks behind the standard error
+  std::string sampler;         // "vertical_velocity [m/s]", "gas_fraction [1]"
+  double x = 0, y = 0, z = 0;  // [m], centre of the bin
+  double mean = 0;             // NaN: the bin stayed empty
+  double standard_error = 0;   // NaN: fewer than two blocks saw anything
+  std::uint64_t n = 0;         // particles (cells) counted, over all instants
+  double blocks = 0;           // effective number of blocks behind the standard error
 };
 
 /// Sampling window of one sampler. Of the real bed.
 struct ProfileWindow {
-  double from = 0, to = 0;            // [s], first and last instant
+  double from = 0, to = 0;  // [s], first and last instant
   std::uint64_t instants = 0;
 };
 
@@ -45,8 +45,8 @@ class ProfileSampler {
  public:
   ProfileSampler(ProfileSettings settings, MapBack map_back);
 
-  /// Vertical velocity of the solids: sum m v / sum m. Simulated bed's time [s]; instants before `from` are passed over.
-  /// A particle belongs to a bin by its centre: |z - z0| <= half_thickness, middle third of the depth.
+  /// Vertical velocity of the solids: sum m v / sum m. Simulated bed's time [s]; instants before `from` are passed
+  /// over. A particle belongs to a bin by its centre: |z - z0| <= half_thickness, middle third of the depth.
   void sample(const ParticleStore& particles, double time);
   /// Gas fraction over the same bins: cells weighted by the volume they share with the bin.
   void sample(const Grid& grid, const Column<double>& gas_fraction, double time);
@@ -68,7 +68,7 @@ class ProfileSampler {
 
   ProfileSettings settings_;
   MapBack map_back_;
-  std::vector<Bin> solids_, gas_;     // height by height, x fastest
+  std::vector<Bin> solids_, gas_;  // height by height, x fastest
   ProfileWindow solids_window_, gas_window_;
 };
 

@@ -1,19 +1,20 @@
 #include "output/progress.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <unistd.h>
 
 #include "output/number.h"
 
 namespace similitude {
 namespace {
 
-constexpr double k_redraw = 0.2;        // [s] of wall time, on a terminal
-constexpr double k_first_lines = 5;     // [s] of wall time between plain lines, at first …
-constexpr double k_later_lines = 60;    // [s] … and in a long run, whose log should stay readable
-constexpr double k_line_every = 0.1;    // of the simulated time
+constexpr double k_redraw = 0.2;      // [s] of wall time, on a terminal
+constexpr double k_first_lines = 5;   // [s] of wall time between plain lines, at first …
+constexpr double k_later_lines = 60;  // [s] … and in a long run, whose log should stay readable
+constexpr double k_line_every = 0.1;  // of the simulated time
 constexpr std::size_t k_bar_columns = 20;
 
 std::string duration(double seconds) {
@@ -50,7 +51,8 @@ std::string Progress::line(const ProgressState& state, double now) const {
     const auto filled = static_cast<std::size_t>(fraction * k_bar_columns);
     text.append(1, '[').append(filled, '#').append(k_bar_columns - filled, '-').append("] ");
   }
-  text += readable(state.time) + " of " + readable(end_) + " s  " + std::to_string(static_cast<int>(fraction * 100)) + " %";
+  text +=
+      readable(state.time) + " of " + readable(end_) + " s  " + std::to_string(static_cast<int>(fraction * 100)) + " %";
   if (fraction < 1)
     text += "  ETA " + (elapsed > 0 && advanced > 0 ? duration(elapsed * (end_ - state.time) / advanced) : "?");
   if (elapsed > 0) text += "  " + rate(static_cast<double>(state.particle_steps) / elapsed) + "particle-steps/s";
@@ -62,7 +64,7 @@ void Progress::draw(const ProgressState& state, double now) {
   std::string text = line(state, now);
   if (screen_ == Screen::terminal) {
     const std::size_t length = text.size();
-    if (length < last_length_) text.append(last_length_ - length, ' ');   // wipes the rest of a longer line
+    if (length < last_length_) text.append(last_length_ - length, ' ');  // wipes the rest of a longer line
     last_length_ = length;
     out_ << '\r' << text << std::flush;
   } else {

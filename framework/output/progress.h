@@ -10,16 +10,16 @@ namespace similitude {
 
 /// Of the real bed.
 struct ProgressState {
-  double time = 0;                    // [s]
-  std::uint64_t particle_steps = 0;   // since the run began
+  double time = 0;                   // [s]
+  std::uint64_t particle_steps = 0;  // since the run began
   std::uint64_t particles = 0;
-  double largest_overlap = 0;         // [-], over a diameter
+  double largest_overlap = 0;  // [-], over a diameter
 };
 
 class Progress {
  public:
   enum class Screen { terminal, plain };
-  using Clock = std::function<double()>;   // [s], monotonic
+  using Clock = std::function<double()>;  // [s], monotonic
 
   /// `end` [s]: the real bed's end time.
   Progress(std::ostream& out, Screen screen, double end, Clock clock = monotonic_seconds);

@@ -1,7 +1,6 @@
 #include "output/resolved_case.h"
 
 #include <cmath>
-
 #include <nlohmann/json.hpp>
 
 namespace similitude {
@@ -25,9 +24,7 @@ json extent_json(const std::array<Interval, 3>& extent) {
 json particles_json(const RealScene& s) {
   json out;
   for (const ParticleClass& p : s.particles)
-    out[p.name] = {{"diameter [m]", p.diameter},
-                   {"density [kg/m^3]", p.density},
-                   {"count", value_or_null(p.count)}};
+    out[p.name] = {{"diameter [m]", p.diameter}, {"density [kg/m^3]", p.density}, {"count", value_or_null(p.count)}};
   return out;
 }
 
@@ -115,7 +112,8 @@ std::string resolved_case_json(const RealScene& s) {
   out["name"] = s.name;
   out["scene"] = scene;
   out["models"] = models_json(s.models);
-  out["time"] = {{"end [s]", s.time.end}, {"dt [s]", value_or_null(s.time.dt)}, {"gas_dt [s]", value_or_null(s.time.gas_dt)}};
+  out["time"] = {
+      {"end [s]", s.time.end}, {"dt [s]", value_or_null(s.time.dt)}, {"gas_dt [s]", value_or_null(s.time.gas_dt)}};
   out["output"] = {{"vtk_every [s]", s.output.vtk_every},
                    {"monitor_every [s]", s.output.monitor_every},
                    {"profiles", {{"z [m]", s.output.profiles.z}, {"from [s]", s.output.profiles.from}}}};

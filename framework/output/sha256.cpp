@@ -70,7 +70,7 @@ void Sha256::add(const void* data, std::size_t count) {
 std::string Sha256::hex() {
   const std::uint64_t bits = bytes_ * 8;
   const std::array<std::uint8_t, 64> padding = {0x80};
-  add(padding.data(), 1 + (119 - filled_) % 64);   // up to 8 bytes before the end of a block
+  add(padding.data(), 1 + (119 - filled_) % 64);  // up to 8 bytes before the end of a block
   std::array<std::uint8_t, 8> length;
   for (std::size_t k = 0; k < 8; ++k) length[k] = static_cast<std::uint8_t>(bits >> (56 - 8 * k));
   add(length.data(), 8);

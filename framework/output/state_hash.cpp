@@ -7,7 +7,7 @@ namespace similitude {
 namespace {
 
 void add_field(Sha256& hash, const Column<double>& field) {
-  const std::uint64_t size = field.size();   // so that values cannot move from one field to the next unseen
+  const std::uint64_t size = field.size();  // so that values cannot move from one field to the next unseen
   hash.add(&size, sizeof size);
   hash.add(field.data(), field.size() * sizeof(double));
 }

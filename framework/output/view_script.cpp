@@ -1,5 +1,6 @@
 #include "output/view_script.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "output/whole_file.h"
@@ -10,11 +11,13 @@ namespace {
 using json = nlohmann::ordered_json;
 
 // ParaView runs this text as Python: by itself (pvpython view.py), or inside its window.
-constexpr const char* k_script_head = R"py("""Opens this run in ParaView: particles and gas in the central plane, coloured by speed.
+constexpr const char* k_script_head =
+    R"py("""Opens this run in ParaView: particles and gas in the central plane, coloured by speed.
 
     pvpython view.py --screenshot bed.png [--time 1.5]   saves a picture (of the last frame, or of a time [s])
     pvpython view.py                                     shows the last frame in a window
-    paraview --script=view.py                            opens everything in ParaView
+    paraview view.py                                     opens everything in ParaView; in a folder that was moved or
+                                                         copied, go there first
 """
 import argparse
 import os
@@ -27,10 +30,12 @@ from paraview.simple import *
 constexpr const char* k_script_body = R"py(
 
 def here():
-    """The folder of this script, also where ParaView leaves __file__ out."""
+    """The folder of this script. Inside its window ParaView does not say where a script lies."""
     if "__file__" in globals():
         return os.path.dirname(os.path.abspath(__file__))
-    return os.getcwd()
+    if os.path.exists("view.py") and os.path.exists("manifest.json"):
+        return os.getcwd()
+    return WRITTEN_IN
 
 
 def points_of_frame(source):
@@ -132,7 +137,7 @@ def main():
         if os.path.exists(file):
             times.append(last_time(show(file, view)))
     if not times:
-        sys.exit("view.py: there is neither particles.pvd nor fluid.pvd beside this script")
+        raise SystemExit("view.py: there is neither particles.pvd nor fluid.pvd in " + here())
 
     GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     view.ViewTime = args.time if args.time is not None else max(times)
@@ -165,6 +170,8 @@ void write_view_script(const OutputDirectory& directory, const RealScene& real) 
   for (const Baffle& baffle : real.baffles) plates.push_back(box_json(baffle));
   // JSON of numbers, strings and lists is Python as well.
   std::string text = k_script_head;
+  const std::string folder = std::filesystem::absolute(directory.path()).lexically_normal().string();
+  text += "WRITTEN_IN = " + json(folder).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
   text += "SIZE = " + json(real.size).dump() + "      # [m], the bed\n";
   text += "PLATES = " + plates.dump() + "   # [m]\n";
   write_whole_file(directory.file("view.py"), text + k_script_body);

@@ -1,8 +1,5 @@
 #include "output/vtk_writer.h"
 
-#include <cmath>
-#include <cstdio>
-
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -19,6 +16,9 @@
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
+
+#include <cmath>
+#include <cstdio>
 
 #include "output/id_order.h"
 #include "output/number.h"
@@ -39,9 +39,11 @@ struct Series {
   }
   std::string pvd() const {
     std::string text =
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  "
+        "<Collection>\n";
     for (std::size_t frame = 0; frame < times.size(); ++frame)
-      text += "    <DataSet timestep=\"" + round_trip(times[frame]) + "\" part=\"0\" file=\"" + frame_file(frame) + "\"/>\n";
+      text += "    <DataSet timestep=\"" + round_trip(times[frame]) + "\" part=\"0\" file=\"" + frame_file(frame) +
+              "\"/>\n";
     return text + "  </Collection>\n</VTKFile>\n";
   }
 };
@@ -72,7 +74,7 @@ void add_text(vtkFieldData& fields, const char* name, const std::vector<std::str
 
 /// What every file says about itself, so that a single frame sent by mail can still be understood.
 void describe(vtkFieldData& fields, const MapBack& map, const std::vector<std::string>& class_names, double real_time) {
-  add_number(fields, "TimeValue", real_time);   // the name by which VTK's readers know the time of a file
+  add_number(fields, "TimeValue", real_time);  // the name by which VTK's readers know the time of a file
   add_text(fields, "scaling_law", {map.scaling_law});
   add_text(fields, "map_back", {map_back_note(map)});
   add_number(fields, "ratio_length", map.ratios.length);
@@ -93,7 +95,7 @@ std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data) {
   writer.SetDataModeToAppended();
   writer.EncodeAppendedDataOff();
   writer.SetCompressorTypeToZLib();
-  writer.SetCompressionLevel(1);   // floats hardly shrink further: level 9 costs several times as long for a few percent
+  writer.SetCompressionLevel(1);  // floats hardly shrink further: level 9 costs several times as long for a few percent
   writer.WriteToOutputStringOn();
   writer.Write();
   return writer.GetOutputString();
@@ -205,7 +207,7 @@ void VtkWriter::fluid(const Grid& grid, const GasFields& gas, const Column<doubl
   auto speed = float_array("gas_speed [m/s]", 1, cells);
   auto pressure = float_array("pressure [Pa]", 1, cells);
   auto fraction = float_array("gas_fraction [1]", 1, cells);
-  for (std::size_t c = 0; c < cells; ++c) {   // the grid's order of cells is VTK's
+  for (std::size_t c = 0; c < cells; ++c) {  // the grid's order of cells is VTK's
     const auto row = static_cast<vtkIdType>(c);
     const double u = map.velocity(gas.velocity[c]), v = map.velocity(gas.velocity[cells + c]),
                  w = map.velocity(gas.velocity[2 * cells + c]);

@@ -21,8 +21,9 @@ class VtkWriter {
   VtkWriter(const VtkWriter&) = delete;
   VtkWriter& operator=(const VtkWriter&) = delete;
 
-  /// particles/particles_<frame>.vtp, rows in the order of id, and particles.pvd with all frames so far. Points are float64
-  /// (overlaps can be recomputed from them), other reals float32. `time` [s] is the simulated bed's. Throws OutputError.
+  /// particles/particles_<frame>.vtp, rows in the order of id, and particles.pvd with all frames so far. Points are
+  /// float64 (overlaps can be recomputed from them), other reals float32. `time` [s] is the simulated bed's. Throws
+  /// OutputError.
   void particles(const ParticleStore& particles, double time);
 
   /// fluid/fluid_<frame>.vti (cell data, float32) and fluid.pvd.

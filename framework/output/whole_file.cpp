@@ -1,9 +1,10 @@
 #include "output/whole_file.h"
 
-#include <cerrno>
 #include <fcntl.h>
-#include <system_error>
 #include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
 
 namespace similitude {
 

@@ -18,8 +18,8 @@ class OutputError : public std::runtime_error {
 /// Throws the OutputError that fits errno value `error` for a failed action, e.g. "written", on `file`.
 [[noreturn]] void throw_output_error(const std::filesystem::path& file, const std::string& action, int error);
 
-/// Writes to a temporary name beside `file`, syncs, renames. A reader sees the file before or the file after, never a part.
-/// On failure the temporary file is removed, an earlier `file` is untouched, and OutputError is thrown.
+/// Writes to a temporary name beside `file`, syncs, renames. A reader sees the file before or the file after, never a
+/// part. On failure the temporary file is removed, an earlier `file` is untouched, and OutputError is thrown.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace similitude

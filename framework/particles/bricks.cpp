@@ -1,8 +1,9 @@
 #include "particles/bricks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
+#include <cstdio>
 
 #include "scene/messages.h"
 
@@ -33,9 +34,11 @@ void Bricks::lay_out(const std::array<double, 3>& size, const std::array<bool, 3
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double fitting = std::floor(size[axis] / cut_off);
     if (periodic[axis] && fitting < 2) {
-      throw InputError("scene.domain: the periodic direction " + std::string(1, "xyz"[axis]) + " is " +
-                           std::to_string(size[axis] / cut_off) + " contact distances wide; a particle would meet its own image.",
-                       "Make it at least two contact distances wide, or give it walls.");
+      std::array<char, 160> what{};
+      std::snprintf(what.data(), what.size(),
+                    "scene.domain: the periodic direction %c is %.2f contact distances wide; a particle would meet its own image.",
+                    "xyz"[axis], size[axis] / cut_off);
+      throw InputError(what.data(), "Make it at least two contact distances wide, or give it walls.");
     }
     cells_[axis] = static_cast<std::uint32_t>(std::clamp(fitting, 1.0, 1e6));
     cells_per_length_[axis] = cells_[axis] / size[axis];
@@ -45,6 +48,8 @@ void Bricks::lay_out(const std::array<double, 3>& size, const std::array<bool, 3
     places *= bricks_[axis];
   }
   occupied_.resize(places);
+  place_.reserve(places);
+  first_row_.reserve(places + 1);
   for (std::size_t image = 0; image < 27; ++image) {
     const auto turns = [&](std::size_t stride) { return static_cast<double>(image / stride % 3) - 1; };
     shifts_[image] = {turns(1) * size[0], turns(3) * size[1], turns(9) * size[2], 0};
@@ -61,7 +66,7 @@ void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t
   const auto rows = static_cast<std::uint32_t>(particles.size());
   key_.resize(rows);
   place_of_row_.resize(rows);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (rows >= k_rows_worth_threads)
   for (std::uint32_t row = 0; row < rows; ++row) {
     std::uint32_t place = 0, local = 0;
     for (std::size_t axis = 3; axis-- > 0;) {
@@ -85,6 +90,7 @@ void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t
   }
 
   const std::size_t cells = place_.size() * cells_per_brick_;
+  if (cell_begin_.capacity() < cells + 1) cell_begin_.reserve(cells + cells / 2 + 1);
   cell_begin_.assign(cells + 1, 0);
   for (std::uint32_t row = 0; row < rows; ++row) {
     if (leaves[row]) continue;
@@ -101,7 +107,7 @@ void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t
 
   // Ties by id: the order must not remember where rows stood before.
   const auto by_id = [&](std::uint32_t a, std::uint32_t b) { return particles.id[a] < particles.id[b]; };
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (rows >= k_rows_worth_threads)
   for (std::size_t cell = 0; cell < cells; ++cell) {
     std::sort(order_.begin() + cell_begin_[cell], order_.begin() + cell_begin_[cell + 1], by_id);
   }

@@ -12,6 +12,9 @@
 
 namespace similitude {
 
+/// Below this, waking the other threads costs more than their help.
+constexpr std::size_t k_rows_worth_threads = 1000;
+
 /// Rows that a search must look through, and the image they stand in.
 struct RowRange {
   std::uint32_t begin = 0, end = 0;
@@ -32,6 +35,9 @@ class Bricks {
   void sort(const ParticleStore& particles, const std::vector<std::uint8_t>& leaves);
   const std::vector<std::uint32_t>& order() const { return order_; }
 
+  /// Bricks of the box, with or without particles.
+  std::size_t places() const { return occupied_.size(); }
+  /// Bricks that hold particles.
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_row_.empty() ? 0 : first_row_.size() - 1); }
   std::uint32_t first_row(std::uint32_t brick) const { return first_row_[brick]; }
   std::uint32_t end_row(std::uint32_t brick) const { return first_row_[brick + 1]; }

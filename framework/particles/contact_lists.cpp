@@ -36,8 +36,8 @@ class ContactLists::Search {
       const std::size_t count = bricks_.neighbours(brick, cell, ranges);
       std::size_t most = 0;
       for (std::size_t r = 0; r < count; ++r) most += ranges[r].end - ranges[r].begin;
-      out_.make_room((here.end - here.begin) * most + 4);
       for (std::uint32_t row = here.begin; row < here.end; ++row) {
+        out_.make_room(most + 4);
         for (std::size_t r = 0; r < count; ++r) pairs(row, ranges[r], brick);
         for (const std::uint32_t surface : out_.near_surfaces) touch(row, surface);
       }
@@ -189,7 +189,9 @@ void ContactLists::settle(std::uint32_t brick, const Gathered& from, const Carri
 
 void ContactLists::build(const ParticleStore& particles, const Bricks& where, const Surfaces& surfaces, double margin,
                          double largest_radius, const CarriedHistory& carried) {
+  bricks.reserve(where.places());
   bricks.resize(where.count());
+  first_incoming.reserve(where.places() + 1);
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
   if (gathered_.size() < threads) gathered_.resize(threads);
   for (Gathered& gathered : gathered_) {
@@ -201,7 +203,7 @@ void ContactLists::build(const ParticleStore& particles, const Bricks& where, co
   do {
     make_room(used_.load());
     used_ = 0;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (particles.size() >= k_rows_worth_threads)
     for (std::uint32_t brick = 0; brick < where.count(); ++brick) {
       Gathered& gathered = gathered_[static_cast<std::size_t>(omp_get_thread_num())];
       Search(particles, where, surfaces, margin, largest_radius, gathered).brick(brick);

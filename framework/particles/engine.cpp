@@ -19,7 +19,13 @@ namespace similitude {
 
 namespace {
 
-constexpr double k_default_skin = 0.1;   // [-], of the largest diameter
+// The skin in largest diameters, where the case gives none. A thick skin costs a look at more candidates in every
+// sub-step, a thin one more rebuilds: the sum is least at sqrt(price x displacement per sub-step in diameters). The price
+// was measured: a rebuild costs as much per particle as looking at some 75 candidates, and a diameter more of skin adds
+// about ten candidates. All in numbers without a dimension and in counted steps, never in measured time.
+constexpr double k_least_skin = 0.1, k_most_skin = 0.3;
+constexpr double k_rebuild_price = 7.5;
+constexpr double k_worth_a_change = 1.2;
 
 /// What a brick reports of a sub-step; a cache line of its own.
 struct alignas(64) BrickOutcome {
@@ -68,6 +74,7 @@ struct Engine::Parts {
   void rebuild();
   void wrap_positions();
   void mark_leaving();
+  void adapt_skin();
   void lay_out();
   double displacement() const;
   bool lists_are_due();
@@ -97,6 +104,8 @@ struct Engine::Parts {
   bool stale = true;                      // the lists must be built before the next sub-step, whatever moved
   double reach = 0;                       // [m], of the law
   double skin = 0;                        // [m]
+  double skin_in_diameters = k_least_skin;   // [-], where the case gives none
+  std::int64_t listed_at = 0;             // sub-step of the last rebuild
   double travel = 0;                      // [m], no particle is farther than this from its reference
   std::int64_t steps = 0;
   EngineReport report;
@@ -107,7 +116,7 @@ struct Engine::Parts {
 
 void Engine::Parts::wrap_positions() {
   const auto rows = static_cast<std::int64_t>(particles.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (particles.size() >= k_rows_worth_threads)
   for (std::int64_t row = 0; row < rows; ++row) {
     Row& p = particles.position[static_cast<std::size_t>(row)];
     if (periodic[0] && !(p.x >= 0 && p.x < size[0])) p.x = wrapped(p.x, size[0]);
@@ -130,13 +139,19 @@ void Engine::Parts::mark_leaving() {
   }
 }
 
+void Engine::Parts::adapt_skin() {
+  const auto lasted = static_cast<double>(std::max<std::int64_t>(steps - listed_at, 1));
+  const double best = std::clamp(std::sqrt(k_rebuild_price * skin_in_diameters / lasted), k_least_skin, k_most_skin);
+  if (best > k_worth_a_change * skin_in_diameters || skin_in_diameters > k_worth_a_change * best) skin_in_diameters = best;
+}
+
 void Engine::Parts::lay_out() {
   double largest_radius = 0;
   for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
   const auto& functions = law.functions();
   reach = functions.reach ? functions.reach(law.instance(), 2 * largest_radius) : 0;
   contacts.set_reach(reach);
-  skin = options.skin > 0 ? options.skin : k_default_skin * 2 * largest_radius;
+  skin = options.skin > 0 ? options.skin : skin_in_diameters * 2 * largest_radius;
   const double cut_off = 2 * largest_radius + reach + skin;
   if (cut_off != bricks.cut_off()) bricks.lay_out(size, periodic, cut_off);
 }
@@ -145,6 +160,7 @@ void Engine::Parts::rebuild() {
   keep_deepest();
   wrap_positions();
   mark_leaving();
+  if (!stale) adapt_skin();   // motion brought this rebuild about
   if (particles.size() > 0) lay_out();
   bricks.sort(particles, leaves);
   const std::vector<std::uint32_t>& order = bricks.order();
@@ -161,10 +177,12 @@ void Engine::Parts::rebuild() {
 
   reference.resize(order.size());
   std::copy(particles.position.begin(), particles.position.end(), reference.begin());
+  outcomes.reserve(bricks.places());
   outcomes.resize(bricks.count());
   for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
   listed_rows = order.size();
   travel = 0;
+  listed_at = steps;
   stale = false;
   ++report.rebuilds;
   clock.lap(Stage::list);
@@ -172,7 +190,7 @@ void Engine::Parts::rebuild() {
 
 double Engine::Parts::displacement() const {
   double farthest = 0;
-#pragma omp parallel for schedule(static) reduction(max : farthest)
+#pragma omp parallel for schedule(static) reduction(max : farthest) if (listed_rows >= k_rows_worth_threads)
   for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) {
     farthest = std::max(farthest, largest_displacement_squared(particles, reference, bricks.first_row(brick), bricks.end_row(brick)));
   }
@@ -198,7 +216,7 @@ void Engine::Parts::sub_step() {
   const bool rotation = needs.rotation != 0;
   const bool outlets = surfaces.has_outlets();
   const std::uint32_t count = bricks.count();
-#pragma omp parallel if (count > 1)
+#pragma omp parallel if (listed_rows >= k_rows_worth_threads)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     const bool main_thread = thread == 0;

@@ -14,16 +14,10 @@
 
 namespace similitude {
 
-/// What the walls of the simulated bed are to particles.
-struct Openings {
-  /// Rectangles of the domain's faces through which particles leave (pressure patches).
-  std::vector<Patch> outlets;
-};
-
 struct EngineOptions {
   double dt = 0;                               // [s]
   std::array<double, 3> gravity{};             // [m/s^2], already with buoyancy if there is a gas
-  double skin = 0;                             // [m], 0: chosen from the diameter
+  double skin = 0;                             // [m], 0: from the largest diameter and how often lists were rebuilt
   double velocity_damping = 0;                 // [1/s], for settling only
 };
 
@@ -53,14 +47,20 @@ struct StageTime {
 
 class Engine {
  public:
-  /// The scene gives walls, baffles, periodic directions and domain. The law stays alive with the engine.
+  /// The scene gives walls, baffles, periodic directions and domain: six faces but for periodic ones; velocity patches are
+  /// walls, pressure patches let particles out. Store, scene's bed and law stay alive with the engine. Throws
+  /// std::invalid_argument if the law needs rotation and the store has none.
   Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Advances by `sub_steps`. Deterministic for any number of threads. Throws SimulationError (particles/errors.h) on a
-  /// non-finite position or force (with particle id, place and step).
+  /// Advances by `sub_steps`. The same bits for any number of threads and however the steps are divided among calls.
+  /// Sorts the store's rows and takes out particles that left through an outlet; between calls others may add rows at the
+  /// end and change positions, velocities and gas rows, but not the order of rows. In a periodic direction a position may lie
+  /// up to half a skin beyond the domain: it is brought back when rows are sorted. Throws SimulationError
+  /// (particles/errors.h) on a non-finite position or velocity (with particle id, place and step) and with the law's own
+  /// words, InputError if a periodic direction is too narrow for its particles.
   void advance(std::int64_t sub_steps);
   /// Changes dt or damping, e.g. when settling ends. History is kept.
   void set_options(const EngineOptions& options);

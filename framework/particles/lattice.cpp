@@ -11,8 +11,9 @@ namespace similitude {
 namespace {
 
 constexpr double k_lattice_clearance = 0.02;   // [-], of the diameter, between neighbours of the lattice
-constexpr double k_crowded_fraction = 0.60;    // [-], solids fraction of the crowded start: that of a settled bed
-constexpr double k_crowded_jitter = 0.25;      // [-], of the distance between neighbours
+constexpr double k_crowded_fraction = 0.56;    // [-], of the start: denser, and arches stay wound up between the walls
+constexpr double k_crowded_jitter = 0.15;      // [-], of the distance between neighbours
+constexpr double k_loose_at_wall = 0.25;       // [-], of a diameter: what a wall's looser packing costs, so that levels agree
 
 std::uint64_t mixed_bits(std::uint64_t x) {   // splitmix64, Steele, Lea & Flood (2014), OOPSLA 453
   x += 0x9e3779b97f4a7c15u;
@@ -27,30 +28,41 @@ ModelScene without_openings(const ModelScene& scene) {
   return closed;
 }
 
-/// Stretches of a line along x that the plates standing across it leave free.
+/// Stretches of a line along x that the plates standing across it leave free, less a margin on either side of every plate and
+/// wall.
 class FreeLine {
  public:
-  FreeLine(const ModelScene& scene, double y, double z) : total_(scene.size[0]) {
+  FreeLine(const ModelScene& scene, double y, double z, double margin) : room_(scene.size[0]), length_(room_) {
+    if (!scene.periodic[0]) {
+      block({0, 0}, margin);
+      length_ -= margin;
+    }
     for (const Baffle& baffle : scene.baffles) {
       if (baffle.normal != Axis::x) continue;
       if (y < baffle.extent[1].low || y > baffle.extent[1].high || z < baffle.extent[2].low || z > baffle.extent[2].high) continue;
-      blocked_.push_back({baffle.position - baffle.thickness / 2, baffle.position + baffle.thickness / 2});
-      total_ -= baffle.thickness;
+      block({baffle.position - baffle.thickness / 2, baffle.position + baffle.thickness / 2}, margin);
+      room_ -= baffle.thickness;
     }
     std::sort(blocked_.begin(), blocked_.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
   }
-  double length() const { return total_; }
+  double room() const { return room_; }       // [m], between the plates
+  double length() const { return length_; }   // [m], less the margins too
   /// The x of a point `along` [m] the free stretches, one after the other.
   double x(double along) const {
     for (const Interval& plate : blocked_) {
-      if (along < plate.low) return along;
+      if (along < plate.low) break;
       along += plate.high - plate.low;
     }
     return along;
   }
 
  private:
-  double total_;   // [m]
+  void block(const Interval& body, double margin) {
+    blocked_.push_back({std::max(0.0, body.low - margin), body.high + margin});
+    length_ -= body.high + margin - blocked_.back().low;
+  }
+
+  double room_, length_;
   std::vector<Interval> blocked_;
 };
 
@@ -128,6 +140,7 @@ Places crowded_places(const ModelScene& scene, const std::vector<std::uint32_t>&
   const int rows = std::max(1, static_cast<int>(std::lround(scene.size[1] / spacing)));
   const double row = scene.size[1] / rows;
   const double along = each / (row * spacing);   // [m], between neighbours of a row
+  const double margin = k_loose_at_wall * std::cbrt(each * k_crowded_fraction * 6 / std::numbers::pi);   // [m]
 
   Places places;
   places.reserve(classes.size());
@@ -136,9 +149,10 @@ Places crowded_places(const ModelScene& scene, const std::vector<std::uint32_t>&
     Places of_layer;
     for (int j = 0; j < rows; ++j) {
       const double y = (j + 0.5) * row;
-      const FreeLine line(scene, y, z);
+      const FreeLine line(scene, y, z, margin);
+      const double step = along * line.length() / line.room();
       const double phase = counter_random(scene.bed.seed, layer * static_cast<std::uint64_t>(rows) + static_cast<std::uint64_t>(j), 1);
-      for (double x = phase * along; x < line.length(); x += along) of_layer.push_back({line.x(x), y, z});
+      for (double x = phase * step; x < line.length(); x += step) of_layer.push_back({line.x(x), y, z});
     }
     // The last layer is thinned evenly.
     const std::size_t wanted = std::min(of_layer.size(), classes.size() - places.size());

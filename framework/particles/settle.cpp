@@ -12,12 +12,14 @@ namespace similitude {
 
 namespace {
 
-constexpr double k_at_rest = 2e-4;               // [-], agitation of a resting bed
-constexpr double k_soft_overlap = 0.005;         // [-], of a diameter, at the bottom of the softened bed
-constexpr double k_steps_per_contact = 15;       // while settling
-constexpr double k_worth_softening = 0.7;        // [-], a stiffness factor above it saves no time
-constexpr int k_steps_between_looks = 50;
-constexpr std::int64_t k_most_steps = 1000000;   // of one stage; a bed takes some thousand
+constexpr double k_at_rest = 2e-4;              // [-], agitation of a resting bed
+constexpr double k_soft_overlap = 0.004;        // [-], of a diameter, at the bottom of the softened bed
+constexpr double k_steps_per_contact = 15;      // while settling
+constexpr double k_worth_softening = 0.7;       // [-], a stiffness factor above it saves no time
+constexpr double k_parting_times = 20;          // [-], contact times in which crowded neighbours push each other apart
+constexpr double k_listening_times = 20;        // [-], contact times before a calm bed is believed
+constexpr std::int64_t k_steps_between_looks = 50;
+constexpr std::int64_t k_most_steps = 1000000;  // of one phase; a bed takes some thousand
 
 double magnitude(const std::array<double, 3>& g) { return std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]); }
 
@@ -50,6 +52,16 @@ struct Scale {
   double layers;     // [-]
 };
 
+/// A stretch of settling with one law and one step.
+struct Phase {
+  const char* stage;   // for the progress line
+  double dt;           // [s]
+  double damping;      // [1/s], of velocities
+  double least;        // [s], its shortest duration
+  double calm;         // [-], agitation at which it ends
+  double from, to;     // [-], of the whole progress
+};
+
 class Settling {
  public:
   Settling(ParticleStore& particles, const ModelScene& scene, const FillOptions& options)
@@ -65,27 +77,28 @@ class Settling {
     return ratio * ratio;
   }
 
-  void until_at_rest(const ContactModel& law, double dt, const std::string& stage, double from, double to) {
-    // Critical for the slowest wave through the bed, one contact time per layer and direction.
-    const double damping = std::numbers::pi / (scale_.layers * scale_.contact_time(law));
+  /// Advances until the bed is calm, but for `least` [s] at least.
+  void until_calm(const ContactModel& law, const Phase& phase) {
     Engine engine(particles_, scene_, law,
-                  EngineOptions{.dt = dt, .gravity = scene_.gravity, .skin = 0, .velocity_damping = damping});
-    double highest = 0;
-    for (std::int64_t steps = 0; steps < k_most_steps; steps += k_steps_between_looks) {
+                  EngineOptions{.dt = phase.dt, .gravity = scene_.gravity, .skin = 0, .velocity_damping = phase.damping});
+    double wildest = 0;
+    for (std::int64_t steps = 0; steps < k_most_steps;) {
       engine.advance(k_steps_between_looks);
+      steps += k_steps_between_looks;
       sub_steps_ += k_steps_between_looks;
       const double now = agitation(particles_, scene_);
-      highest = std::max(highest, now);
+      wildest = std::max(wildest, now);
       if (options_.progress) {
-        const double done = now >= highest ? 0 : std::log(highest / now) / std::log(highest / k_at_rest);
-        options_.progress(from + (to - from) * std::clamp(done, 0.0, 1.0), stage);
+        const double done = wildest > phase.calm ? std::log(wildest / now) / std::log(wildest / phase.calm) : 1;
+        options_.progress(phase.from + (phase.to - phase.from) * std::clamp(done, 0.0, 1.0), phase.stage);
       }
-      // A bed about to fall is slow as well: the first looks do not count.
-      if (now < k_at_rest && steps >= 4 * k_steps_between_looks) return;
+      if (now < phase.calm && static_cast<double>(steps) * phase.dt >= phase.least) return;
     }
-    char text[200];
-    std::snprintf(text, sizeof text, "the bed did not come to rest while filling: after %lld sub-steps of %.3g s particles still "
-                  "move with %.3g m g d on average.", static_cast<long long>(k_most_steps), dt, agitation(particles_, scene_));
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "the bed did not come to rest while filling: after %lld sub-steps of %.3g s the mean kinetic energy of a particle "
+                  "is %.3g m g d; a bed rests below %.3g.",
+                  static_cast<long long>(k_most_steps), phase.dt, agitation(particles_, scene_), phase.calm);
     throw SimulationError(text, "A contact law without friction or damping may never rest: use bed: {fill: lattice}, or a file.");
   }
 
@@ -121,15 +134,26 @@ double agitation(const ParticleStore& particles, const ModelScene& scene) {
 std::int64_t settle(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const FillOptions& options) {
   if (particles.size() == 0) return 0;
   Settling settling(particles, scene, options);
+  const Scale& scale = settling.scale();
   const double softness = settling.softness(law);
   const bool soften = options.softer_law && softness < k_worth_softening;
-  const ContactModel soft = soften ? options.softer_law(softness) : ContactModel();
-  const ContactModel& first = soften ? soft : law;
-  const double dt = std::min(settling.scale().contact_time(first) / k_steps_per_contact,
-                             settling.scale().largest_stable_step(first) / 2);
-  settling.until_at_rest(first, dt, "settling", 0, 0.8);
+  const ContactModel softened = soften ? options.softer_law(softness) : ContactModel();
+  const ContactModel& soft = soften ? softened : law;
+  const double contact = scale.contact_time(soft);   // [s]
+  const double dt = std::min(contact / k_steps_per_contact, scale.largest_stable_step(soft) / 2);
+
+  // Neighbours part without flying: their motion is overdamped. Then the bed falls the little way to its packing, braked at
+  // the pace of a fall by one diameter: less and it bounces, more and it sinks like honey.
+  const double overdamped = 10 * std::numbers::pi / contact;                // [1/s]
+  const double braked = std::sqrt(scale.gravity / scale.diameter);      // [1/s]
+  settling.until_calm(soft, {"parting neighbours", dt, overdamped, k_parting_times * contact, HUGE_VAL, 0, 0.1});
+  settling.until_calm(soft, {"settling", dt, braked, k_listening_times * contact, k_at_rest / 2, 0.1, 0.7});
   stop(particles);
-  settling.until_at_rest(law, options.dt, "coming to rest", 0.8, 1);
+  // Stiff springs release what the soft ones stored, and at last nothing but the law itself holds the bed.
+  const double listening = k_listening_times * scale.contact_time(law);
+  settling.until_calm(law, {"changing to the case's stiffness", options.dt, braked, listening, k_at_rest, 0.7, 0.9});
+  stop(particles);
+  settling.until_calm(law, {"coming to rest", options.dt, 0, listening, k_at_rest, 0.9, 1});
   stop(particles);
   return settling.sub_steps();
 }

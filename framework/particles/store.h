@@ -17,7 +17,7 @@ struct CacheAligned {
   template <class U>
   CacheAligned(const CacheAligned<U>&) {}
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-  void deallocate(T* p, std::size_t n) { ::operator delete(p, n * sizeof(T), std::align_val_t{64}); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
   template <class U>
   bool operator==(const CacheAligned<U>&) const { return true; }
 };
@@ -35,16 +35,16 @@ struct StoreFields {
   bool coupling = false;    // gas velocity, stress force, drag impulse
 };
 
-/// Particle rows. Row numbers change when the bed is sorted; `id` never does.
+/// Particle rows. Row numbers change when the bed is sorted; `id` never does. Pointers into columns do not outlive a sort.
 struct ParticleStore {
   explicit ParticleStore(StoreFields wanted = {}) : fields(wanted) {}
 
   StoreFields fields;
   Column<Row> position;           // x y z [m], w: radius [m]
   Column<Row> velocity;           // vx vy vz [m/s], w: mass [kg]
-  Column<Row> force;              // of contacts [N], w: unused
+  Column<Row> force;              // of contacts in the last sub-step [N], w: 0
   Column<Row> angular_velocity;   // [rad/s], w: moment of inertia [kg m^2]; rotation only
-  Column<Row> torque;             // [N m]; rotation only
+  Column<Row> torque;             // [N m], w: 0; rotation only
   Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
   Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
   Column<Row> drag_impulse;       // [N s], received less what the gas was charged: see Coupling::interpolate; coupling only

@@ -43,8 +43,8 @@ std::string in_mm(double length) { return format_quantity(length, "mm"); }
 
 std::string off_face_text(double coordinate, double cell) {
   const Aligned near = align(coordinate, cell);
-  return in_mm(coordinate) + " is not on a cell face (cells of " + in_mm(cell) + ", faces at " + in_mm(near.low) + " and " +
-         in_mm(near.high) + ").";
+  return in_mm(coordinate) + " is not on a cell face (cells of " + in_mm(cell) + ", faces at " + in_mm(near.low) +
+         " and " + in_mm(near.high) + ").";
 }
 
 std::string off_face_fix(Interval wanted, double cell) {

@@ -21,10 +21,12 @@ void check_version(const Document& document) {
   const DocumentNode* version = document.root().find("similitude");
   const std::string path = "similitude", known = std::to_string(k_case_version);
   if (version == nullptr)
-    throw InputError(document.root().mark, path, "this key is missing: it says for which version of the format a case is written.",
+    throw InputError(document.root().mark, path,
+                     "this key is missing: it says for which version of the format a case is written.",
                      "Start the file with the line similitude: " + known + ".");
   if (!version->is_text(known.c_str()))
-    throw InputError(version->mark, path, version->described() + " is no version of the format that this program knows.",
+    throw InputError(version->mark, path,
+                     version->described() + " is no version of the format that this program knows.",
                      "Write similitude: " + known + ", or use a program made for that version.");
 }
 
@@ -47,7 +49,8 @@ std::vector<std::filesystem::path> plugin_paths(const Document& document, const 
   return paths;
 }
 
-void read_effects(const Section& section, const Catalogue& catalogue, Models& models, std::vector<std::string>& warnings) {
+void read_effects(const Section& section, const Catalogue& catalogue, Models& models,
+                  std::vector<std::string>& warnings) {
   const DocumentNode* node = section.node("effects");
   const std::string path = section.path("effects");
   models.effects_auto = node == nullptr || node->is_text("auto");
@@ -64,7 +67,8 @@ void read_effects(const Section& section, const Catalogue& catalogue, Models& mo
   }
 }
 
-void read_models(const Section& section, const Catalogue& catalogue, Models& models, std::vector<std::string>& warnings) {
+void read_models(const Section& section, const Catalogue& catalogue, Models& models,
+                 std::vector<std::string>& warnings) {
   const auto read = [&](const char* kind) {
     return read_model(kind, *section.node(kind), section.path(kind), catalogue, {}, warnings);
   };
@@ -88,7 +92,8 @@ std::vector<std::filesystem::path> plugin_paths_of(const std::filesystem::path& 
   return plugin_paths(Document(case_file), folder_of(case_file));
 }
 
-CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& catalogue, const std::vector<std::string>& overrides) {
+CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& catalogue,
+                   const std::vector<std::string>& overrides) {
   Document document(case_file);
   for (const std::string& assignment : overrides) document.set(assignment);
   check_version(document);

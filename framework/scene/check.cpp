@@ -23,11 +23,10 @@ void check_cells(const RealScene& scene, const Document& document) {
     const double size = scene.size[index(axis)], cell = scene.cell[index(axis)];
     const Aligned near = align(size, cell);
     if (near.ok) continue;
-    const std::string shorter = near.low > 0 ? in_mm(near.low) + " or " : "";
     throw InputError(document.mark(path + "." + std::to_string(index(axis))), path,
                      letter(axis) + " = " + in_mm(size) + " is not a whole number of cells of " + in_mm(cell) + ".",
-                     "Use " + shorter + in_mm(near.high) + ", or set scene.domain.cell: " +
-                         in_mm(size / std::max(1.0, std::round(size / cell))) + " along " + letter(axis) + ".");
+                     near.low > 0 ? off_face_fix(size, cell)
+                                  : "Use " + in_mm(near.high) + ", or set scene.domain.cell: " + in_mm(size) + ".");
   }
 }
 
@@ -37,8 +36,8 @@ void check_particles(const RealScene& scene, const Document& document) {
     for (const Axis axis : k_axes)
       if (species.diameter > scene.size[index(axis)])
         throw InputError(document.mark(path), path,
-                         "a particle of " + in_mm(species.diameter) + " does not fit into a domain of " + in_mm(scene.size[index(axis)]) +
-                             " along " + letter(axis) + ".",
+                         "a particle of " + in_mm(species.diameter) + " does not fit into a domain of " +
+                             in_mm(scene.size[index(axis)]) + " along " + letter(axis) + ".",
                          "Is the unit right?");
   }
   if (scene.models.scaling.id == "exact") return;
@@ -46,20 +45,30 @@ void check_particles(const RealScene& scene, const Document& document) {
     if (species.density == scene.particles[0].density) continue;
     const std::string path = "scene.particles." + species.name + ".density";
     throw InputError(document.mark(path), path,
-                     "the scaling law " + scene.models.scaling.id + " is for one particle density, but " + species.name + " has " +
-                         format_quantity(species.density, "kg/m^3") + " and " + scene.particles[0].name + " " +
-                         format_quantity(scene.particles[0].density, "kg/m^3") + ".",
+                     "the scaling law " + scene.models.scaling.id + " is for one particle density, but " +
+                         species.name + " has " + format_quantity(species.density, "kg/m^3") + " and " +
+                         scene.particles[0].name + " " + format_quantity(scene.particles[0].density, "kg/m^3") + ".",
                      "Give all classes one density, or use models.scaling: exact.");
   }
 }
 
 void check_amount(const RealScene& scene, const Document& document, std::vector<std::string>& warnings) {
   const BedFill& bed = scene.bed;
+  if (bed.height && (bed.kind == FillKind::none || bed.kind == FillKind::file))
+    throw InputError(document.mark("scene.bed.height"), "scene.bed.height",
+                     "only fill: settle and fill: lattice fill to a height.", "Remove this key, or change fill.");
   if (bed.kind == FillKind::none) return;
   if (scene.particles.empty())
     throw InputError(document.mark("scene"), "scene.particles", "the bed is to be filled, but there are no particles.",
                      "Add a class, or write bed: {fill: none}.");
-  if (bed.kind == FillKind::file) return;
+  if (bed.kind == FillKind::file) {
+    for (const ParticleClass& species : scene.particles)
+      if (species.count)
+        throw InputError(document.mark("scene.particles." + species.name + ".count"),
+                         "scene.particles." + species.name + ".count",
+                         "the file of scene.bed says how many particles there are.", "Remove this count.");
+    return;
+  }
   if (bed.height) {
     const std::string path = "scene.bed.height";
     if (*bed.height > scene.size[2])
@@ -68,7 +77,8 @@ void check_amount(const RealScene& scene, const Document& document, std::vector<
                        "Lower the bed, or raise the third value of scene.domain.size.");
     for (const ParticleClass& species : scene.particles)
       if (species.count)
-        throw InputError(document.mark("scene.particles." + species.name + ".count"), "scene.particles." + species.name + ".count",
+        throw InputError(document.mark("scene.particles." + species.name + ".count"),
+                         "scene.particles." + species.name + ".count",
                          "the bed has a height as well; one of the two decides how many particles there are.",
                          "Remove this count, or scene.bed.height.");
     if (scene.particles.size() > 1)
@@ -83,20 +93,20 @@ void check_amount(const RealScene& scene, const Document& document, std::vector<
     if (!species.count)
       throw InputError(document.mark(path), path, "nothing says how many particles there are.",
                        "Add a count, or scene.bed.height.");
-    volume += static_cast<double>(*species.count) * std::numbers::pi / 6 * species.diameter * species.diameter * species.diameter;
+    volume += static_cast<double>(*species.count) * std::numbers::pi / 6 * species.diameter * species.diameter *
+              species.diameter;
     largest = path;
   }
   const double area = scene.size[0] * scene.size[1];
   const double lowest = volume / (k_densest_packing * area), highest = volume / (k_loosest_packing * area);
   const std::string path = scene.particles.size() == 1 ? largest + ".count" : "scene.particles";
-  const std::string range = in_mm(lowest) + " to " + in_mm(highest) + " high (solids fraction 0.64 to 0.5)";
+  const std::string range = " higher than the domain of " + in_mm(scene.size[2]) + ": " + in_mm(lowest) + " to " +
+                            in_mm(highest) + " (solids fraction 0.64 to 0.5).";
   if (lowest > scene.size[2])
-    throw InputError(document.mark(path), path, "these particles do not fit: the bed would be " + range + " in a domain of " + in_mm(scene.size[2]) + ".",
+    throw InputError(document.mark(path), path, "these particles make a bed" + range,
                      "Fewer particles, or a larger domain.");
   if (highest > scene.size[2])
-    warnings.push_back(InputError(document.mark(path), path, "these particles may not fit: the bed will be " + range +
-                                                                 " in a domain of " + in_mm(scene.size[2]) + ".")
-                           .what());
+    warnings.push_back(InputError(document.mark(path), path, "these particles may make a bed" + range).what());
 }
 
 bool inside(const Interval& inner, double size) {
@@ -109,8 +119,8 @@ void check_inside(const RealScene& scene, const std::array<Interval, 3>& extent,
     const Interval& interval = extent[index(axis)];
     if (inside(interval, scene.size[index(axis)])) continue;
     throw InputError(marks[index(axis)], path + "." + letter(axis),
-                     "[" + in_mm(interval.low) + ", " + in_mm(interval.high) + "] is outside " + what + ", which goes from 0 mm to " +
-                         in_mm(scene.size[index(axis)]) + ".",
+                     "[" + in_mm(interval.low) + ", " + in_mm(interval.high) + "] is outside " + what +
+                         ", which goes from 0 mm to " + in_mm(scene.size[index(axis)]) + ".",
                      "Use values in that range, or leave the key out for all of it.");
   }
 }
@@ -141,8 +151,10 @@ void check_patches(const RealScene& scene) {
     const Patch& patch = scene.patches[i];
     const std::string path = "scene.patches." + patch.name, face = face_name(patch.face);
     if (scene.periodic[index(patch.face.axis)])
-      throw InputError(patch.mark, path, "the domain is periodic along " + letter(patch.face.axis) + ", so its " + face + " face holds no patch.",
-                       "Take " + letter(patch.face.axis) + " out of scene.periodic, or remove the patch.");
+      throw InputError(
+          patch.mark, path,
+          "the domain is periodic along " + letter(patch.face.axis) + ", so its " + face + " face holds no patch.",
+          "Take " + letter(patch.face.axis) + " out of scene.periodic, or remove the patch.");
     check_inside(scene, patch.extent, patch.extent_mark, path, "the " + face + " face");
     for (std::size_t j = 0; j < i; ++j) check_pair(scene, scene.patches[j], patch);
   }
@@ -150,7 +162,7 @@ void check_patches(const RealScene& scene) {
 
 /// An incompressible gas that is blown in must get out.
 void check_outlet(const RealScene& scene, const Document& document) {
-  double flow = 0, largest = 0;   // [m^3/s]
+  double flow = 0, largest = 0;  // [m^3/s]
   for (const Patch& patch : scene.patches) {
     if (patch.kind == PatchKind::pressure) return;
     double area = 1;
@@ -168,7 +180,8 @@ void check_outlet(const RealScene& scene, const Document& document) {
   }
   if (std::abs(flow) <= k_rounding * largest) return;
   throw InputError(document.mark("scene.patches"), "scene.patches",
-                   flow > 0 ? "gas is blown in, but there is no opening to let it out." : "gas is drawn out, but there is no opening to let it in.",
+                   flow > 0 ? "gas is blown in, but there is no opening to let it out."
+                            : "gas is drawn out, but there is no opening to let it in.",
                    "Add for example outlet: {face: top, pressure: 0 Pa}.");
 }
 
@@ -177,9 +190,10 @@ void check_baffles(const RealScene& scene) {
     const std::string group = "scene.baffles." + baffle.name.substr(0, baffle.name.find('.'));
     const double size = scene.size[index(baffle.normal)];
     if (!(baffle.position > 0 && baffle.position < size))
-      throw InputError(baffle.extent_mark[index(baffle.normal)], group + ".at_" + letter(baffle.normal),
-                       in_mm(baffle.position) + " is not inside the domain, which goes from 0 mm to " + in_mm(size) + ".",
-                       "A plate stands between two walls.");
+      throw InputError(
+          baffle.extent_mark[index(baffle.normal)], group + ".at_" + letter(baffle.normal),
+          in_mm(baffle.position) + " is not inside the domain, which goes from 0 mm to " + in_mm(size) + ".",
+          "A plate stands between two walls.");
     check_inside(scene, baffle.extent, baffle.extent_mark, group, "the domain");
   }
 }
@@ -189,14 +203,17 @@ void check_times(const RealScene& scene, const Document& document) {
   const auto too_long = [&](double step, const char* key) {
     const std::string path = std::string("time.") + key;
     if (step > time.end)
-      throw InputError(document.mark(path), path, format_quantity(step, "s") + " is longer than the run of " + format_quantity(time.end, "s") + ".",
-                       "Write auto to have it chosen.");
+      throw InputError(
+          document.mark(path), path,
+          format_quantity(step, "s") + " is longer than the run of " + format_quantity(time.end, "s") + ".",
+          "Write auto to have it chosen.");
   };
   if (time.dt) too_long(*time.dt, "dt");
   if (time.gas_dt) too_long(*time.gas_dt, "gas_dt");
   if (time.dt && time.gas_dt && *time.dt > *time.gas_dt)
     throw InputError(time.gas_dt_mark, "time.gas_dt",
-                     format_quantity(*time.gas_dt, "s") + " is shorter than the particles' sub-step time.dt of " + format_quantity(*time.dt, "s") + ".",
+                     format_quantity(*time.gas_dt, "s") + " is shorter than the particles' sub-step time.dt of " +
+                         format_quantity(*time.dt, "s") + ".",
                      "A gas step is a whole number of sub-steps; write auto to have it chosen.");
 }
 
@@ -204,12 +221,14 @@ void check_output(const RealScene& scene, const Document& document) {
   const ProfileOutput& profiles = scene.output.profiles;
   for (std::size_t i = 0; i < profiles.z.size(); ++i) {
     if (profiles.z[i] >= 0 && profiles.z[i] <= scene.size[2]) continue;
-    throw InputError(document.mark("output.profiles.z." + std::to_string(i)), "output.profiles.z",
-                     in_mm(profiles.z[i]) + " is outside the domain, which goes from 0 mm to " + in_mm(scene.size[2]) + ".");
+    throw InputError(
+        document.mark("output.profiles.z." + std::to_string(i)), "output.profiles.z",
+        in_mm(profiles.z[i]) + " is outside the domain, which goes from 0 mm to " + in_mm(scene.size[2]) + ".");
   }
   if (!profiles.z.empty() && profiles.from >= scene.time.end)
     throw InputError(document.mark("output.profiles.from"), "output.profiles.from",
-                     "averaging starts at " + format_quantity(profiles.from, "s") + ", but the run ends at " + format_quantity(scene.time.end, "s") + ".",
+                     "averaging starts at " + format_quantity(profiles.from, "s") + ", but the run ends at " +
+                         format_quantity(scene.time.end, "s") + ".",
                      "Start earlier, or raise time.end.");
 }
 

@@ -1,11 +1,11 @@
 #include "scene/document.h"
 
+#include <yaml-cpp/yaml.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-
-#include <yaml-cpp/yaml.h>
 
 #include "scene/messages.h"
 
@@ -42,8 +42,9 @@ DocumentNode convert(const YAML::Node& yaml, const std::string& file, const std:
       for (const DocumentNode::Key& other : node.keys)
         if (other.name == key)
           throw InputError(mark, joined(path, key),
-                           other.mark.line > 0 ? "this key was given before, in line " + std::to_string(other.mark.line) + "."
-                                               : "this key is given twice.",
+                           other.mark.line > 0
+                               ? "this key was given before, in line " + std::to_string(other.mark.line) + "."
+                               : "this key is given twice.",
                            "Keep one of the two.");
       node.keys.push_back({key, mark});
       node.items.push_back(convert(entry.second, file, joined(path, key), depth + 1));
@@ -71,7 +72,8 @@ std::vector<std::string> split(const std::string& path) {
 /// The item of a list or map that one part of a path means, or null.
 const DocumentNode* child(const DocumentNode& node, const std::string& part) {
   if (!node.is_list()) return node.find(part);
-  const bool number = !part.empty() && part.size() < 6 && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool number = !part.empty() && part.size() < 6 &&
+                      std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
   const std::size_t index = number ? std::stoul(part) : node.items.size();
   return index < node.items.size() ? &node.items[index] : nullptr;
 }
@@ -90,10 +92,14 @@ DocumentNode* DocumentNode::find(const std::string& key) {
 
 std::string DocumentNode::described() const {
   switch (kind) {
-    case Kind::nothing: return "nothing";
-    case Kind::scalar: return "\"" + text + "\"";
-    case Kind::list: return "a list";
-    case Kind::map: return "a map of keys";
+    case Kind::nothing:
+      return "nothing";
+    case Kind::scalar:
+      return "\"" + text + "\"";
+    case Kind::list:
+      return "a list";
+    case Kind::map:
+      return "a map of keys";
   }
   return "";
 }
@@ -123,11 +129,13 @@ void Document::set(const std::string& assignment) {
   DocumentNode* node = &root_;
   std::string walked;
   for (const std::string& part : split(path)) {
-    if (part.empty()) throw InputError(mark, path, "a part of this path is empty.", "Write for example models.scaling.geometry.");
+    if (part.empty())
+      throw InputError(mark, path, "a part of this path is empty.", "Write for example models.scaling.geometry.");
     if (node->is_scalar()) {
       // The short form of a model: drag: gidaspow.
       if (!walked.starts_with("models."))
-        throw InputError(mark, path, walked + " is \"" + node->text + "\" and has no keys below it.", "Set " + walked + " itself.");
+        throw InputError(mark, path, walked + " is \"" + node->text + "\" and has no keys below it.",
+                         "Set " + walked + " itself.");
       DocumentNode id = *node;
       *node = {DocumentNode::Kind::map, mark, "", {{"id", id.mark}}, {id}};
     }
@@ -135,8 +143,10 @@ void Document::set(const std::string& assignment) {
     auto* next = const_cast<DocumentNode*>(child(*node, part));
     if (next == nullptr) {
       if (node->is_list())
-        throw InputError(mark, path, walked + " is a list of " + std::to_string(node->items.size()) + " and has no item " + part + ".",
-                         "Items are counted from 0.");
+        throw InputError(
+            mark, path,
+            walked + " is a list of " + std::to_string(node->items.size()) + " and has no item " + part + ".",
+            "Items are counted from 0.");
       node->keys.push_back({part, mark});
       node->items.push_back({DocumentNode::Kind::nothing, mark, "", {}, {}});
       next = &node->items.back();

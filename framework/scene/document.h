@@ -19,7 +19,7 @@ struct DocumentNode {
 
   Kind kind = Kind::nothing;
   SourceMark mark;
-  std::string text;   // of a scalar
+  std::string text;  // of a scalar
   std::vector<Key> keys;
   std::vector<DocumentNode> items;
 
@@ -39,8 +39,8 @@ class Document {
   /// Throws InputError: the file cannot be read, is no YAML, repeats a key, or is empty.
   explicit Document(const std::filesystem::path& file);
 
-  /// One --set: "models.scaling.geometry=0.5". Maps on the way are made as needed; "models.drag=x" written in short form
-  /// becomes {id: x} when a key below it is set. The mark of what was set is "--set".
+  /// One --set: "models.scaling.geometry=0.5". Maps on the way are made as needed; "models.drag=x" written in short
+  /// form becomes {id: x} when a key below it is set. The mark of what was set is "--set".
   void set(const std::string& assignment);
 
   const DocumentNode& root() const { return root_; }

@@ -11,7 +11,8 @@ std::string place(const SourceMark& mark) {
   return mark.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column);
 }
 
-std::string compose(const std::string& where, const std::string& path, const std::string& what, const std::string& fix) {
+std::string compose(const std::string& where, const std::string& path, const std::string& what,
+                    const std::string& fix) {
   std::string text;
   if (!where.empty()) text += where + ": ";
   if (!path.empty()) text += path + ": ";
@@ -42,7 +43,8 @@ std::size_t edits(const std::string& a, const std::string& b) {
 InputError::InputError(const SourceMark& mark, const std::string& path, const std::string& what, const std::string& fix)
     : std::runtime_error(compose(place(mark), path, what, fix)) {}
 
-InputError::InputError(const std::string& what, const std::string& fix) : std::runtime_error(compose("", "", what, fix)) {}
+InputError::InputError(const std::string& what, const std::string& fix)
+    : std::runtime_error(compose("", "", what, fix)) {}
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates) {
   std::size_t allowed = std::max<std::size_t>(2, word.size() / 3) + 1;

@@ -46,8 +46,8 @@ std::string range_text(double low, double high, const std::string& unit) {
 
 std::string position(const SourceMark& mark, const std::string& path) { return InputError(mark, path, "").what(); }
 
-void check_range(const Row& row, const std::string& model, const DocumentNode& node, const std::string& path, double value,
-                 std::vector<std::string>& warnings) {
+void check_range(const Row& row, const std::string& model, const DocumentNode& node, const std::string& path,
+                 double value, std::vector<std::string>& warnings) {
   const std::string name = row.name;
   if (value < row.minimum || value > row.maximum)
     throw InputError(node.mark, path,
@@ -59,12 +59,16 @@ void check_range(const Row& row, const std::string& model, const DocumentNode& n
                        range_text(row.typical_minimum, row.typical_maximum, unit_of(row)) + ".");
 }
 
-ModelParameter read_parameter(const Row& row, const std::string& model, const DocumentNode& node, const std::string& path,
-                              std::vector<std::string>& warnings) {
+ModelParameter read_parameter(const Row& row, const std::string& model, const DocumentNode& node,
+                              const std::string& path, std::vector<std::string>& warnings) {
   ModelParameter parameter{row.name, 0, "", row.scales_as, true};
   switch (row.type) {
-    case SIMILITUDE_FLAG: parameter.real = read_flag(node, path) ? 1 : 0; break;
-    case SIMILITUDE_CHOICE: parameter.text = read_choice(node, path, split_choices(text_of(row.choices))); break;
+    case SIMILITUDE_FLAG:
+      parameter.real = read_flag(node, path) ? 1 : 0;
+      break;
+    case SIMILITUDE_CHOICE:
+      parameter.text = read_choice(node, path, split_choices(text_of(row.choices)));
+      break;
     case SIMILITUDE_INTEGER:
       parameter.real = static_cast<double>(read_integer(node, path, Sign::any));
       check_range(row, model, node, path, parameter.real, warnings);
@@ -103,8 +107,9 @@ const PluginEntry& find_model(const std::string& kind, const DocumentNode& id, c
 
 }  // namespace
 
-ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path, const Catalogue& catalogue,
-                       const std::vector<std::string>& framework_keys, std::vector<std::string>& warnings) {
+ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path,
+                       const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
+                       std::vector<std::string>& warnings) {
   const DocumentNode* id = node.is_scalar() ? &node : node.find("id");
   if (id == nullptr || !id->is_scalar())
     throw InputError(node.mark, path, "the id of a " + kind + " model is missing.",
@@ -125,9 +130,10 @@ ModelChoice read_model(const std::string& kind, const DocumentNode& node, const 
     if (given != nullptr && given->kind != DocumentNode::Kind::nothing) {
       choice.parameters.push_back(read_parameter(row, choice.id, *given, path + "." + row.name, warnings));
     } else if (row.required != 0) {
-      throw InputError(node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
-                       (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of(row) + "}."
-                                         : "Add for example " + std::string(row.name) + ": " + example_of(row) + "."));
+      throw InputError(
+          node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
+          (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of(row) + "}."
+                            : "Add for example " + std::string(row.name) + ": " + example_of(row) + "."));
     } else {
       choice.parameters.push_back(default_of(row));
     }

@@ -1,5 +1,6 @@
 #pragma once
-/// The part of a case that names plugins: ids looked up in the catalogue, parameters checked against the plugin's own table.
+/// The part of a case that names plugins: ids looked up in the catalogue, parameters checked against the plugin's own
+/// table.
 
 #include <string>
 #include <vector>
@@ -10,9 +11,11 @@
 
 namespace similitude {
 
-/// `node` is an id or a map of id and parameters. `framework_keys` may stand among the parameters and are left to the caller.
-/// Parameters outside their typical range append to `warnings`. Throws InputError, or PluginError for an unknown id.
-ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path, const Catalogue& catalogue,
-                       const std::vector<std::string>& framework_keys, std::vector<std::string>& warnings);
+/// `node` is an id or a map of id and parameters. `framework_keys` may stand among the parameters and are left to the
+/// caller. Parameters outside their typical range append to `warnings`. Throws InputError, or PluginError for an
+/// unknown id.
+ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path,
+                       const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
+                       std::vector<std::string>& warnings);
 
 }  // namespace similitude

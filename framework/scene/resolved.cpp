@@ -1,7 +1,6 @@
 #include "scene/resolved.h"
 
 #include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "scene/case_keys.h"
@@ -41,7 +40,7 @@ Json model(const ModelChoice& choice, const Catalogue& catalogue) {
     if (row.type == SIMILITUDE_CHOICE) {
       result[parameter.name] = parameter.text;
     } else if (std::isnan(parameter.real)) {
-      continue;   // not given, and no default
+      continue;  // not given, and no default
     } else if (row.type == SIMILITUDE_FLAG) {
       result[parameter.name] = parameter.real != 0;
     } else if (row.type == SIMILITUDE_INTEGER) {
@@ -153,7 +152,8 @@ std::string resolved_case(const RealScene& scene, const std::vector<std::filesys
   }
 
   if (scene.smoothing_length) root["coupling"]["smoothing"] = in(*scene.smoothing_length, "m");
-  root["time"] = {{"end", in(scene.time.end, "s")}, {"dt", or_auto(scene.time.dt)}, {"gas_dt", or_auto(scene.time.gas_dt)}};
+  root["time"] = {
+      {"end", in(scene.time.end, "s")}, {"dt", or_auto(scene.time.dt)}, {"gas_dt", or_auto(scene.time.gas_dt)}};
   const Output& output = scene.output;
   root["output"]["vtk"] = output.vtk_every > 0 ? "every " + in(output.vtk_every, "s") : "none";
   root["output"]["monitors"] = "every " + in(output.monitor_every, "s");

@@ -40,7 +40,8 @@ void read_bed(const Section& bed, const RealScene& scene, BedFill& fill) {
   fill.mark = bed.mark();
   if (bed.given("file")) {
     if (fill.kind != FillKind::file)
-      throw InputError(bed.mark("file"), bed.path("file"), "a file is read only with fill: file, but fill is " + kind + ".",
+      throw InputError(bed.mark("file"), bed.path("file"),
+                       "a file is read only with fill: file, but fill is " + kind + ".",
                        "Write fill: file, or remove this key.");
     const std::filesystem::path file = std::filesystem::path(scene.folder) / bed.text("file");
     std::error_code problem;
@@ -49,7 +50,8 @@ void read_bed(const Section& bed, const RealScene& scene, BedFill& fill) {
                        "A relative path starts at the case's folder.");
     fill.file = file.lexically_normal().string();
   } else if (fill.kind == FillKind::file) {
-    throw InputError(bed.mark("fill"), bed.path("fill"), "fill: file needs to know which file.", "Add for example file: bed.csv.");
+    throw InputError(bed.mark("fill"), bed.path("fill"), "fill: file needs to know which file.",
+                     "Add for example file: bed.csv.");
   }
   if (bed.given("height")) fill.height = bed.quantity("height");
   fill.seed = static_cast<std::uint64_t>(bed.integer("seed"));
@@ -83,9 +85,14 @@ Patch read_patch(const std::string& name, const Section& section, const RealScen
     if (!section.given(key)) continue;
     if (axis == patch.face.axis)
       throw InputError(section.mark(key), section.path(key), "the " + face + " face has no extent along " + key + ".",
-                       "Remove this key; a patch on this face extends along " + std::string(axis == Axis::x ? "y and z" : axis == Axis::y ? "x and z" : "x and y") + ".");
+                       "Remove this key; a patch on this face extends along " +
+                           std::string(axis == Axis::x   ? "y and z"
+                                       : axis == Axis::y ? "x and z"
+                                                         : "x and y") +
+                           ".");
     if (patch.rest)
-      throw InputError(section.mark(key), section.path(key), "a patch with rest: true takes what other patches leave, so it has no extent of its own.",
+      throw InputError(section.mark(key), section.path(key),
+                       "a patch with rest: true takes what other patches leave, so it has no extent of its own.",
                        "Remove this key, or rest: true.");
   }
   read_extents(section, scene, patch.face.axis, patch.extent, patch.extent_mark);
@@ -105,7 +112,8 @@ Patch read_patch(const std::string& name, const Section& section, const RealScen
     patch.kind = PatchKind::pressure;
     patch.pressure = section.quantity("pressure");
     if (section.given("ramp"))
-      throw InputError(section.mark("ramp"), section.path("ramp"), "only an inlet (velocity) has a ramp.", "Remove this key.");
+      throw InputError(section.mark("ramp"), section.path("ramp"), "only an inlet (velocity) has a ramp.",
+                       "Remove this key.");
   }
   return patch;
 }
@@ -115,14 +123,16 @@ void read_baffles(const std::string& name, const Section& section, RealScene& sc
   for (const Axis axis : k_axes)
     if (section.given("at_" + letter(axis))) normals.push_back(axis);
   if (normals.size() != 1)
-    throw InputError(section.mark(), section.path(), normals.empty() ? "the plate has no position." : "the plate has positions along two axes.",
+    throw InputError(section.mark(), section.path(),
+                     normals.empty() ? "the plate has no position." : "the plate has positions along two axes.",
                      "Give one of at_x, at_y, at_z: the position of its mid-plane.");
   const Axis normal = normals[0];
   const std::string at = "at_" + letter(normal);
   if (section.given(letter(normal)))
-    throw InputError(section.mark(letter(normal)), section.path(letter(normal)),
-                     "a plate normal to " + letter(normal) + " has no extent along it; " + at + " says where it stands.",
-                     "Remove this key; the thickness has a key of its own.");
+    throw InputError(
+        section.mark(letter(normal)), section.path(letter(normal)),
+        "a plate normal to " + letter(normal) + " has no extent along it; " + at + " says where it stands.",
+        "Remove this key; the thickness has a key of its own.");
   Baffle baffle;
   baffle.normal = normal;
   baffle.thickness = section.quantity("thickness");
@@ -144,9 +154,11 @@ void read_walls(const Section& walls, RealScene& scene) {
     for (const Side side : {Side::low, Side::high}) {
       const std::string face = face_name({axis, side});
       if (scene.periodic[index(axis)] && walls.given(face))
-        throw InputError(walls.mark(face), walls.path(face), "the domain is periodic along " + letter(axis) + ", so it has no " + face + " wall.",
+        throw InputError(walls.mark(face), walls.path(face),
+                         "the domain is periodic along " + letter(axis) + ", so it has no " + face + " wall.",
                          "Remove this key.");
-      scene.walls[index(axis)][static_cast<std::size_t>(side)] = walls.choice(face) == "slip" ? WallKind::slip : WallKind::no_slip;
+      scene.walls[index(axis)][static_cast<std::size_t>(side)] =
+          walls.choice(face) == "slip" ? WallKind::slip : WallKind::no_slip;
     }
   }
 }

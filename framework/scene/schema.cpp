@@ -1,10 +1,9 @@
 #include "scene/schema.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "scene/case_keys.h"
 #include "scene/section.h"
@@ -23,8 +22,10 @@ std::string sign_pattern(Sign sign) { return sign == Sign::any ? "[-+]?" : "[+]?
 /// A number and a unit; an editor cannot check the dimension, the program does.
 Json quantity(std::string_view unit, Sign sign, const std::string& before = "") {
   if (unit == "1" || unit.empty())
-    return {{"anyOf", Json::array({{{"type", "number"}}, {{"type", "string"}, {"pattern", "^" + before + sign_pattern(sign) + k_number + "$"}},
-                                   {{"type", "string"}, {"pattern", "^" + sign_pattern(sign) + k_number + "[ \\t]*%$"}}})}};
+    return {
+        {"anyOf", Json::array({{{"type", "number"}},
+                               {{"type", "string"}, {"pattern", "^" + before + sign_pattern(sign) + k_number + "$"}},
+                               {{"type", "string"}, {"pattern", "^" + sign_pattern(sign) + k_number + "[ \\t]*%$"}}})}};
   return {{"type", "string"}, {"pattern", "^" + before + sign_pattern(sign) + k_number + k_any_unit + "$"}};
 }
 
@@ -90,11 +91,14 @@ Json model_schema(const std::string& kind, const Catalogue& catalogue) {
       properties[std::string(key.name)] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
     }
     if (required.size() == 1) short_forms.push_back(model.id);
-    choices.push_back({{"type", "object"}, {"title", model.title != nullptr ? model.title : model.id}, {"properties", properties},
-                       {"required", required}, {"additionalProperties", false}});
+    choices.push_back({{"type", "object"},
+                       {"title", model.title != nullptr ? model.title : model.id},
+                       {"properties", properties},
+                       {"required", required},
+                       {"additionalProperties", false}});
   }
   if (!short_forms.empty()) choices.insert(choices.begin(), Json{{"enum", short_forms}});
-  if (choices.empty()) return false;   // no such plugin: nothing is valid
+  if (choices.empty()) return false;  // no such plugin: nothing is valid
   return {{"anyOf", choices}};
 }
 
@@ -104,30 +108,46 @@ Json form_schema(const CaseKey& key, const Catalogue& catalogue) {
   const Json one = quantity(key.unit, key.sign);
   const Json every = quantity(key.unit, key.sign, "every ");
   switch (key.form) {
-    case Form::text: return {{"type", Json::array({"string", "number"})}};
+    case Form::text:
+      return {{"type", Json::array({"string", "number"})}};
     case Form::integer: {
       Json integer{{"type", "integer"}};
       if (key.sign != Sign::any) integer["minimum"] = key.sign == Sign::positive ? 1 : 0;
       return integer;
     }
-    case Form::flag: return {{"type", "boolean"}};
-    case Form::choice: return {{"enum", split_choices(key.choices)}};
-    case Form::quantity: return one;
-    case Form::quantity_or_auto: return either({{"const", "auto"}}, one);
-    case Form::interval: return list_of(one, 2, 2);
-    case Form::box: return list_of(one, 3, 3);
+    case Form::flag:
+      return {{"type", "boolean"}};
+    case Form::choice:
+      return {{"enum", split_choices(key.choices)}};
+    case Form::quantity:
+      return one;
+    case Form::quantity_or_auto:
+      return either({{"const", "auto"}}, one);
+    case Form::interval:
+      return list_of(one, 2, 2);
+    case Form::box:
+      return list_of(one, 3, 3);
     case Form::box_or_cube:
-    case Form::gravity: return either(one, list_of(one, 3, 3));
-    case Form::positions: return either(one, list_of(one, 1, 0));
-    case Form::every: return every;
-    case Form::every_or_none: return either({{"const", "none"}}, every);
-    case Form::axes: return list_of({{"enum", {"x", "y", "z"}}}, 0, 0);
-    case Form::texts: return list_of({{"type", "string"}}, 0, 0);
-    case Form::section: return table_schema(key.table(), catalogue);
+    case Form::gravity:
+      return either(one, list_of(one, 3, 3));
+    case Form::positions:
+      return either(one, list_of(one, 1, 0));
+    case Form::every:
+      return every;
+    case Form::every_or_none:
+      return either({{"const", "none"}}, every);
+    case Form::axes:
+      return list_of({{"enum", {"x", "y", "z"}}}, 0, 0);
+    case Form::texts:
+      return list_of({{"type", "string"}}, 0, 0);
+    case Form::section:
+      return table_schema(key.table(), catalogue);
     case Form::named_sections:
-      return {{"type", "object"}, {"propertyNames", {{"pattern", "^[^. \\t]+$"}}},
+      return {{"type", "object"},
+              {"propertyNames", {{"pattern", "^[^. \\t]+$"}}},
               {"additionalProperties", table_schema(key.table(), catalogue)}};
-    case Form::model: return model_schema(std::string(key.choices), catalogue);
+    case Form::model:
+      return model_schema(std::string(key.choices), catalogue);
     case Form::effects:
       return either({{"const", "auto"}}, list_of(model_schema(std::string(key.choices), catalogue), 0, 0));
   }
@@ -139,7 +159,8 @@ Json table_schema(KeyTable table, const Catalogue& catalogue) {
   for (const CaseKey& key : table) {
     const std::string name(key.name);
     properties[name] = form_schema(key, catalogue);
-    if (properties[name].is_object()) properties[name] = with_doc(properties[name], std::string(key.doc), std::string(key.default_text));
+    if (properties[name].is_object())
+      properties[name] = with_doc(properties[name], std::string(key.doc), std::string(key.default_text));
     if (key.required) required.push_back(name);
   }
   Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};

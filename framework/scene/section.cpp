@@ -16,7 +16,9 @@ std::string joined(const std::string& path, std::string_view key) {
 
 const char* sign_text(Sign sign) { return sign == Sign::positive ? " must be above zero." : " must not be negative."; }
 
-bool fits(double value, Sign sign) { return sign == Sign::any || value > 0 || (value == 0 && sign == Sign::not_negative); }
+bool fits(double value, Sign sign) {
+  return sign == Sign::any || value > 0 || (value == 0 && sign == Sign::not_negative);
+}
 
 void check_names(const DocumentNode& node, const std::string& path, KeyTable table) {
   std::vector<std::string> known;
@@ -26,7 +28,8 @@ void check_names(const DocumentNode& node, const std::string& path, KeyTable tab
     for (const std::string& name : known) found |= name == key.name;
     if (found) continue;
     throw InputError(key.mark, joined(path, key.name), "there is no such key.",
-                     did_you_mean(key.name, known) + "Keys " + (path.empty() ? "of a case file" : "of " + path) + ": " + listed(known) + ".");
+                     did_you_mean(key.name, known) + "Keys " + (path.empty() ? "of a case file" : "of " + path) + ": " +
+                         listed(known) + ".");
   }
 }
 
@@ -35,13 +38,20 @@ std::string example(const CaseKey& key) {
   const std::string unit(key.unit);
   switch (key.form) {
     case Form::quantity:
-    case Form::quantity_or_auto: return "1 " + unit;
-    case Form::box: return "[1 " + unit + ", 1 " + unit + ", 1 " + unit + "]";
-    case Form::box_or_cube: return "1 " + unit;
-    case Form::positions: return "[1 " + unit + "]";
-    case Form::integer: return "1";
-    case Form::choice: return std::string(key.choices.substr(0, key.choices.find('|')));
-    default: return "";
+    case Form::quantity_or_auto:
+      return "1 " + unit;
+    case Form::box:
+      return "[1 " + unit + ", 1 " + unit + ", 1 " + unit + "]";
+    case Form::box_or_cube:
+      return "1 " + unit;
+    case Form::positions:
+      return "[1 " + unit + "]";
+    case Form::integer:
+      return "1";
+    case Form::choice:
+      return std::string(key.choices.substr(0, key.choices.find('|')));
+    default:
+      return "";
   }
 }
 
@@ -88,7 +98,8 @@ std::int64_t read_integer(const DocumentNode& node, const std::string& path, Sig
   const char* const end = node.text.data() + node.text.size();
   const auto [last, problem] = std::from_chars(node.text.data(), end, value);
   if (!node.is_scalar() || problem != std::errc{} || last != end)
-    throw InputError(node.mark, path, node.described() + " is not a whole number.", "Write digits only, for example 461000.");
+    throw InputError(node.mark, path, node.described() + " is not a whole number.",
+                     "Write digits only, for example 461000.");
   if (!fits(static_cast<double>(value), sign))
     throw InputError(node.mark, path, node.text + " is out of range: this number" + sign_text(sign));
   return value;
@@ -193,8 +204,9 @@ std::array<double, 2> Section::interval(std::string_view name) const {
   const DocumentNode node = value(key(name));
   const std::string unit(key(name).unit);
   if (!node.is_list() || node.items.size() != 2)
-    throw InputError(node.mark, path(name), "two ends are needed, but this is " +
-                     (node.is_list() ? "a list of " + std::to_string(node.items.size()) : node.described()) + ".",
+    throw InputError(node.mark, path(name),
+                     "two ends are needed, but this is " +
+                         (node.is_list() ? "a list of " + std::to_string(node.items.size()) : node.described()) + ".",
                      "Write for example [10 " + unit + ", 20 " + unit + "].");
   const std::vector<double> ends = quantities(name, node);
   if (!(ends[0] < ends[1]))
@@ -214,8 +226,9 @@ std::array<double, 3> Section::box(std::string_view name) const {
   }
   const std::string unit(key(name).unit);
   if (!node.is_list() || node.items.size() != 3)
-    throw InputError(node.mark, path(name), "three values (x, y, z) are needed, but this is " +
-                     (node.is_list() ? "a list of " + std::to_string(node.items.size()) : node.described()) + ".",
+    throw InputError(node.mark, path(name),
+                     "three values (x, y, z) are needed, but this is " +
+                         (node.is_list() ? "a list of " + std::to_string(node.items.size()) : node.described()) + ".",
                      "Write for example [1 " + unit + ", 1 " + unit + ", 1 " + unit + "].");
   const std::vector<double> values = quantities(name, node);
   return {values[0], values[1], values[2]};
@@ -224,7 +237,8 @@ std::array<double, 3> Section::box(std::string_view name) const {
 std::vector<double> Section::positions(std::string_view name) const {
   const DocumentNode node = value(key(name));
   if (!node.is_list()) return {quantity_of(key(name), node, path(name))};
-  if (node.items.empty()) throw InputError(node.mark, path(name), "this list is empty.", "Give a value, or leave the key out.");
+  if (node.items.empty())
+    throw InputError(node.mark, path(name), "this list is empty.", "Give a value, or leave the key out.");
   return quantities(name, node);
 }
 
@@ -243,10 +257,12 @@ double Section::every(std::string_view name) const {
 std::vector<std::string> Section::texts(std::string_view name) const {
   const DocumentNode* list = node(name);
   if (list == nullptr) return {};
-  if (!list->is_list()) throw InputError(list->mark, path(name), "a list is needed, but this is " + list->described() + ".",
-                                         "Write it in brackets: [" + list->text + "].");
+  if (!list->is_list())
+    throw InputError(list->mark, path(name), "a list is needed, but this is " + list->described() + ".",
+                     "Write it in brackets: [" + list->text + "].");
   std::vector<std::string> words;
-  for (const DocumentNode& item : list->items) words.push_back(read_text(item, path(name) + "." + std::to_string(words.size())));
+  for (const DocumentNode& item : list->items)
+    words.push_back(read_text(item, path(name) + "." + std::to_string(words.size())));
   return words;
 }
 
@@ -262,7 +278,8 @@ std::vector<std::pair<std::string, Section>> Section::named(std::string_view nam
   for (std::size_t i = 0; i < map->keys.size(); ++i) {
     const std::string& own = map->keys[i].name;
     if (own.empty() || own.find_first_of(". \t") != std::string::npos)
-      throw InputError(map->keys[i].mark, path(name), "\"" + own + "\" is not a name: it may hold no dot and no blank.");
+      throw InputError(map->keys[i].mark, path(name),
+                       "\"" + own + "\" is not a name: it may hold no dot and no blank.");
     const DocumentNode& item = map->items[i];
     sections.emplace_back(own, Section(&item, path(name) + "." + own, key(name).table(), map->keys[i].mark));
   }

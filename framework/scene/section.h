@@ -1,6 +1,6 @@
 #pragma once
-/// One map of the case file, read by its table of keys: unknown, missing, mistyped and out-of-range values end here, with
-/// their place and a fix.
+/// One map of the case file, read by its table of keys: unknown, missing, mistyped and out-of-range values end here,
+/// with their place and a fix.
 
 #include <array>
 #include <cstdint>

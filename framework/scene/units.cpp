@@ -13,7 +13,7 @@ namespace {
 struct Symbol {
   std::string_view name;
   Unit unit;
-  bool prefixed;   // takes k, m, …
+  bool prefixed;  // takes k, m, …
 };
 
 constexpr double k_degree = std::numbers::pi / 180;
@@ -62,7 +62,8 @@ std::optional<Unit> find_symbol(std::string_view name) {
 
 Unit power(const Unit& base, int exponent) {
   Unit result{{base.dimension.length * exponent, base.dimension.mass * exponent, base.dimension.time * exponent},
-              base.decimal * exponent, 1};
+              base.decimal * exponent,
+              1};
   for (int i = 0; i < std::abs(exponent); ++i) result.factor *= exponent > 0 ? base.factor : 1 / base.factor;
   return result;
 }
@@ -133,7 +134,7 @@ class UnitParser {
       if (!unit) return std::nullopt;
     }
     if (const int raised = superscript(rest_)) {
-      rest_.remove_prefix(2);   // both are two bytes of UTF-8
+      rest_.remove_prefix(2);  // both are two bytes of UTF-8
       return power(*unit, raised);
     }
     if (!take("^")) return unit;
@@ -167,7 +168,7 @@ class UnitParser {
 };
 
 struct SplitNumber {
-  std::string mantissa;   // sign, digits, point
+  std::string mantissa;  // sign, digits, point
   int exponent = 0;
   std::string_view unit;  // what follows, trimmed
 };
@@ -270,29 +271,33 @@ double parse_quantity(std::string_view text, std::string_view unit) {
   const bool pure = expected->dimension == Dimension{};
   const auto split = split_number(text);
   if (!split)
-    throw QuantityError{quoted(text) + " is not " + (pure ? "a number." : "a number with a unit; " + needed + " is needed."),
-                        "Write for example " + with_unit("1", unit) + "."};
+    throw QuantityError{
+        quoted(text) + " is not " + (pure ? "a number." : "a number with a unit; " + needed + " is needed."),
+        "Write for example " + with_unit("1", unit) + "."};
   const std::string number(text.substr(0, text.size() - split->unit.size()));
   const std::string trimmed = number.substr(0, number.find_last_not_of(" \t") + 1);
   const std::string example = with_unit(trimmed, unit);
 
   Unit given;
   if (split->unit.empty()) {
-    if (!pure) throw QuantityError{trimmed + " has no unit; " + needed + " is needed.", "Write for example " + example + "."};
+    if (!pure)
+      throw QuantityError{trimmed + " has no unit; " + needed + " is needed.", "Write for example " + example + "."};
   } else {
     const auto parsed = parse_unit(split->unit);
     if (!parsed) {
       const std::size_t slash = split->unit.find('/');
       const bool two_ways = slash != std::string_view::npos && split->unit.find(' ', slash) != std::string_view::npos;
-      throw QuantityError{quoted(split->unit) + (two_ways ? " can be read in two ways." : " is not a unit.") ,
+      throw QuantityError{quoted(split->unit) + (two_ways ? " can be read in two ways." : " is not a unit."),
                           two_ways ? "Use brackets, for example kg/(m s)."
                                    : "Here " + needed + " is needed, for example " + example + "."};
     }
     given = *parsed;
   }
   if (!(given.dimension == expected->dimension)) {
-    const std::string what = std::string(text) + " is " + dimension_name(given.dimension) + "; " + needed + " is needed.";
-    throw QuantityError{what, pure ? "Write it without a unit, for example " + trimmed + "." : "Write for example " + example + "."};
+    const std::string what =
+        std::string(text) + " is " + dimension_name(given.dimension) + "; " + needed + " is needed.";
+    throw QuantityError{
+        what, pure ? "Write it without a unit, for example " + trimmed + "." : "Write for example " + example + "."};
   }
   const std::string decimal = split->mantissa + "e" + std::to_string(split->exponent + given.decimal);
   double value = 0;

@@ -30,12 +30,13 @@ double terminal_velocity_newton(const SphereInGas& s) {
 
 double terminal_velocity(const SphereInGas& s, const std::function<double(double)>& drag_coefficient) {
   const double weight = archimedes(s) * 4 / 3;
-  // Stokes' Ar/18 is the fastest any sphere of this Ar can fall: C_D is never below 24/Re.
-  double low = 0, high = archimedes(s) / 18;
+  const auto too_slow = [&](double re) { return drag_coefficient(re) * re * re < weight; };
+  double low = 0, high = archimedes(s) / 18;  // Stokes
+  while (too_slow(high)) high *= 2;           // laws that fall below 24/Re, as Dalla Valle's 23.04/Re
   while (true) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
-    (drag_coefficient(middle) * middle * middle < weight ? low : high) = middle;
+    (too_slow(middle) ? low : high) = middle;
   }
   return high * s.gas_viscosity / (s.gas_density * s.diameter);
 }
@@ -67,7 +68,8 @@ Groups groups(const similitude_bed& bed) {
   g.density_ratio = bed.particle_density / bed.gas_density;
   g.buoyant_density_ratio = buoyant_density / bed.gas_density;
   g.length_ratio = length / bed.particle_diameter;
-  g.jet = bed.gas_density * (bed.largest_inlet_velocity * bed.largest_inlet_velocity) / (buoyant_density * bed.gravity * length);
+  g.jet = bed.gas_density * (bed.largest_inlet_velocity * bed.largest_inlet_velocity) /
+          (buoyant_density * bed.gravity * length);
   g.over_minimum = u0 / minimum_fluidisation_ergun(sphere, k_gas_fraction_at_minimum);
   g.over_terminal = u0 / terminal_velocity(sphere, schiller_naumann);
   return g;

@@ -21,7 +21,7 @@ double bottom_area(const Patch& patch) {
 }
 
 struct BottomFlow {
-  double mean = 0, largest = 0;   // [m/s]
+  double mean = 0, largest = 0;  // [m/s]
 };
 
 template <class Bed>
@@ -32,7 +32,7 @@ BottomFlow bottom_flow(const Scene<Bed>& scene) {
   for (const Patch& patch : scene.patches)
     if (patch.face == bottom && !patch.rest) covered += bottom_area(patch);
   BottomFlow flow;
-  double volume = 0;   // [m^3/s]
+  double volume = 0;  // [m^3/s]
   for (const Patch& patch : scene.patches) {
     if (patch.kind != PatchKind::velocity) continue;
     flow.largest = std::max(flow.largest, std::abs(patch.velocity));
@@ -70,13 +70,15 @@ similitude_bed described(const Scene<Bed>& scene) {
   bed.particle_diameter = first.diameter;
   bed.particle_density = first.density;
   bed.drag_diameter = first.drag_diameter;
+  if (scene.bed.kind == FillKind::none) return bed;
   const double area = scene.size[0] * scene.size[1];
   if (scene.bed.height) {
     bed.bed_height = *scene.bed.height;
     bed.particle_count = std::round(bed.bed_height * area * k_settled_packing / sphere_volume(first.diameter));
   } else {
     bed.bed_height = solids_volume(scene) / (k_settled_packing * area);
-    for (const ParticleClass& species : scene.particles) bed.particle_count += static_cast<double>(species.count.value_or(0));
+    for (const ParticleClass& species : scene.particles)
+      bed.particle_count += static_cast<double>(species.count.value_or(0));
   }
   return bed;
 }
@@ -99,8 +101,10 @@ void check_ratios(const RealScene& real, const similitude_ratios& ratios) {
   const ModelChoice& law = real.models.scaling;
   for (const auto& [name, value] : all)
     if (!(value > 0) || !std::isfinite(value))
-      throw InputError(law.mark, "models.scaling", law.id + " gives the ratio of " + name + " as " + std::to_string(value) + ", which is not above zero.",
-                       "Check its parameters against the bed.");
+      throw InputError(
+          law.mark, "models.scaling",
+          law.id + " gives the ratio of " + name + " as " + std::to_string(value) + ", which is not above zero.",
+          "Check its parameters against the bed.");
   if (ratios.energy_loss != 1)
     throw InputError(law.mark, "models.scaling",
                      law.id + " wants 1 - e^2 of the restitution e changed, and no contact model here takes that.",
@@ -109,22 +113,30 @@ void check_ratios(const RealScene& real, const similitude_ratios& ratios) {
 
 double ratio_of(int scales_as, const similitude_ratios& ratios) {
   switch (scales_as) {
-    case SIMILITUDE_SCALES_AS_LENGTH: return ratios.length;
-    case SIMILITUDE_SCALES_AS_DIAMETER: return ratios.diameter;
-    case SIMILITUDE_SCALES_AS_TIME: return ratios.time;
-    case SIMILITUDE_SCALES_AS_VELOCITY: return ratios.velocity;
-    case SIMILITUDE_SCALES_AS_STIFFNESS: return ratios.stiffness;
-    case SIMILITUDE_SCALES_AS_MODULUS: return ratios.modulus;
-    default: return 1;
+    case SIMILITUDE_SCALES_AS_LENGTH:
+      return ratios.length;
+    case SIMILITUDE_SCALES_AS_DIAMETER:
+      return ratios.diameter;
+    case SIMILITUDE_SCALES_AS_TIME:
+      return ratios.time;
+    case SIMILITUDE_SCALES_AS_VELOCITY:
+      return ratios.velocity;
+    case SIMILITUDE_SCALES_AS_STIFFNESS:
+      return ratios.stiffness;
+    case SIMILITUDE_SCALES_AS_MODULUS:
+      return ratios.modulus;
+    default:
+      return 1;
   }
 }
 
-void scale_model(ModelChoice& model, const similitude_ratios& ratios, const std::optional<double>& simulated_stiffness) {
+void scale_model(ModelChoice& model, const similitude_ratios& ratios,
+                 const std::optional<double>& simulated_stiffness) {
   for (ModelParameter& parameter : model.parameters) {
     if (parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS && simulated_stiffness && !std::isnan(parameter.real)) {
       parameter.real = *simulated_stiffness;
     } else {
-      parameter.real *= ratio_of(parameter.scales_as, ratios);   // what was not given is NaN and stays so
+      parameter.real *= ratio_of(parameter.scales_as, ratios);  // what was not given is NaN and stays so
     }
   }
 }
@@ -142,7 +154,7 @@ void scale(std::optional<T>& value, double ratio) {
 void scale_particles(ParticleClass& species, const similitude_ratios& ratios) {
   species.diameter *= ratios.diameter;
   species.drag_diameter *= ratios.drag_diameter;
-  species.material_diameter *= ratios.length;   // so that results divided by r show the real particle
+  species.material_diameter *= ratios.length;  // so that results divided by r show the real particle
   species.density *= ratios.particle_density;
   species.weight *= ratios.parcel_weight;
   if (species.count) {
@@ -216,7 +228,8 @@ ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios)
   scale(bed.smoothing_length, ratios.length);
 
   const std::optional<double>& stiffness = bed.models.simulated_stiffness;
-  for (ModelChoice* model : {&bed.models.drag, &bed.models.contact, &bed.models.fluid}) scale_model(*model, ratios, stiffness);
+  for (ModelChoice* model : {&bed.models.drag, &bed.models.contact, &bed.models.fluid})
+    scale_model(*model, ratios, stiffness);
   for (ModelChoice& effect : bed.models.effects) scale_model(effect, ratios, stiffness);
 
   bed.time.end *= ratios.time;
@@ -243,7 +256,8 @@ ResultRatios result_ratios(const RealScene& real, const similitude_ratios& ratio
     return results;
   }
   const double solid = real.particles.front().density, gas = real.gas_density;
-  const double weight = (ratios.particle_density * solid - ratios.gas_density * gas) / (solid - gas);   // (rho_p - rho_f)*
+  const double weight =
+      (ratios.particle_density * solid - ratios.gas_density * gas) / (solid - gas);  // (rho_p - rho_f)*
   results.pressure = weight * ratios.length;
   results.force = weight * cube(ratios.diameter) / ratios.parcel_weight;
   return results;

@@ -1,5 +1,5 @@
-# One step of the out-of-tree tests: step.sh install | headers | refused | build EXAMPLE [AS] | lists | meets EXAMPLE KIND ID FILE
-# | run EXAMPLE FILE. The environment says where everything is; see CMakeLists.txt.
+# One step of the out-of-tree tests: step.sh install | headers | refused | build PROJECT [AS] | lists | meets PROJECT KIND ID
+# FILE | run EXAMPLE FILE. The environment says where everything is; see CMakeLists.txt.
 set -euo pipefail
 
 prefix=$SCRATCH/prefix
@@ -71,9 +71,11 @@ refused() {
   expect_failure "undefined reference to \`defined_nowhere" "$CMAKE" --build "$folder/build"
 }
 
-build() {   # example, name of the copy
+build() {   # an example or a folder beside this file, name of the copy
   local name=${2:-$1}
-  copy "$SOURCE/examples/$1" "$name"
+  local folder=$SOURCE/examples/$1
+  [[ -d $folder ]] || folder=$SOURCE/tests/out_of_tree/$1
+  copy "$folder" "$name"
   configure "$SCRATCH/$name"
   "$CMAKE" --build "$SCRATCH/$name/build"
   "$CMAKE" -E chdir "$SCRATCH/$name/build" ctest --output-on-failure --no-tests=ignore

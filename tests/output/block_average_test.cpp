@@ -1,9 +1,9 @@
 #include "output/block_average.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
-
-#include <gtest/gtest.h>
 
 using namespace similitude;
 
@@ -95,12 +95,13 @@ TEST(BlockAverage, GivesNoErrorWhereOneBlockSawAlmostEverything) {
   EXPECT_TRUE(std::isnan(average.standard_error()));
 }
 
-// 2000 series of 2000 uncorrelated values: mean of se^2 is 1/2000 to 2 % (19 to 10 blocks: spread sqrt(2/9/2000) = 1 %).
+// 2000 series of 2000 uncorrelated values: mean of se^2 is 1/2000 to 2 % (19 to 10 blocks: spread sqrt(2/9/2000) = 1
+// %).
 TEST(BlockAverage, FindsTheErrorOfAnUncorrelatedSeries) {
   std::mt19937_64 random(1);
   double squares = 0;
   for (int k = 0; k < 2000; ++k) squares += std::pow(average_of(autoregressive(0, 2000, random)).standard_error(), 2);
-  EXPECT_NEAR(squares / 2000 * 2000, 1, 0.03);   // three spreads
+  EXPECT_NEAR(squares / 2000 * 2000, 1, 0.03);  // three spreads
 }
 
 // Correlation time (1+phi)/(1-phi) = 19 values against blocks of 256: the blocks themselves are correlated by
@@ -116,11 +117,12 @@ TEST(BlockAverage, FindsTheErrorOfAnAutoregressiveSeries) {
     mean_squares += std::pow(average.mean(), 2);
   }
   const double exact = variance_of_mean(phi, length);
-  EXPECT_NEAR(mean_squares / 2000 / exact, 1, 0.1);   // three times sqrt(2/2000): the series is what it should be
-  EXPECT_NEAR(squares / 2000 / exact, 1, 0.08);       // 4 % bias and three spreads of 1.3 %
+  EXPECT_NEAR(mean_squares / 2000 / exact, 1, 0.1);  // three times sqrt(2/2000): the series is what it should be
+  EXPECT_NEAR(squares / 2000 / exact, 1, 0.08);      // 4 % bias and three spreads of 1.3 %
 }
 
-// An interval of +-2.2 standard errors (Student, about 11 to 18 degrees of freedom) holds the true mean in 95 % of cases.
+// An interval of +-2.2 standard errors (Student, about 11 to 18 degrees of freedom) holds the true mean in 95 % of
+// cases.
 TEST(BlockAverage, CoversTheTrueMeanAsOftenAsItClaims) {
   std::mt19937_64 random(3);
   int covered = 0;
@@ -131,8 +133,8 @@ TEST(BlockAverage, CoversTheTrueMeanAsOftenAsItClaims) {
   EXPECT_NEAR(covered / 2000.0, 0.95, 0.02);
 }
 
-// Weights that fluctuate with the value: the variance of a ratio of means by the delta method, here with a value equal to
-// the weight: R = E[w^2]/E[w], var = E[(w^2 - R w)^2] / (n E[w]^2). For w uniform in (0, 1): R = 2/3.
+// Weights that fluctuate with the value: the variance of a ratio of means by the delta method, here with a value equal
+// to the weight: R = E[w^2]/E[w], var = E[(w^2 - R w)^2] / (n E[w]^2). For w uniform in (0, 1): R = 2/3.
 TEST(BlockAverage, FindsTheErrorOfARatio) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> uniform;

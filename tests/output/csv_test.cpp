@@ -1,10 +1,10 @@
 #include "output/csv.h"
 
-#include <csignal>
-#include <limits>
+#include <gmock/gmock.h>
 #include <sys/resource.h>
 
-#include <gmock/gmock.h>
+#include <csignal>
+#include <limits>
 
 #include "output/number.h"
 #include "output/whole_file.h"
@@ -65,7 +65,7 @@ TEST(Csv, CutsOffARowThatFitsOnlyInPart) {
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small = {12, before.rlim_max};   // header and row are 8 bytes
+  const rlimit small = {12, before.rlim_max};  // header and row are 8 bytes
   ::setrlimit(RLIMIT_FSIZE, &small);
   EXPECT_THROW(csv.row({0.123456, 0.123456}), OutputError);
   ::setrlimit(RLIMIT_FSIZE, &before);

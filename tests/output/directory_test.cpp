@@ -23,8 +23,9 @@ TEST(OutputDirectory, RefusesAnEarlierRunAndSaysWhatToType) {
   write_whole_file(folder / "manifest.json", "{}");
   EXPECT_TRUE(holds_a_run(folder.path()));
   EXPECT_EQ(message_of<InputError>([&] { OutputDirectory(folder.path(), false); }),
-            folder.path().string() + " holds an earlier run (manifest.json).\n"
-            "  Give another folder with -o, or --force to replace that run.");
+            folder.path().string() +
+                " holds an earlier run (manifest.json).\n"
+                "  Give another folder with -o, or --force to replace that run.");
   EXPECT_EQ(text_of(folder / "manifest.json"), "{}");
 }
 
@@ -63,7 +64,7 @@ TEST(OutputDirectory, SaysWhyItCannotBeMade) {
   write_whole_file(folder / "results", "x");
   EXPECT_EQ(message_of<InputError>([&] { OutputDirectory(folder / "results/spout", false); }),
             "the folder " + (folder / "results/spout").string() +
-            " cannot be made: Not a directory.\n  Give another folder with -o.");
+                " cannot be made: Not a directory.\n  Give another folder with -o.");
 }
 
 // Not even root may make files in /proc; permission bits would not stop it.

@@ -1,8 +1,8 @@
 #include "output/manifest.h"
 
-#include <limits>
-
 #include <gmock/gmock.h>
+
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "output/sha256.h"
@@ -50,8 +50,9 @@ TEST(ManifestFile, SaysAtTheStartThatTheRunIsRunning) {
   EXPECT_TRUE(m["state_hash"].is_null());
   EXPECT_EQ(m["threads"], 2);
   EXPECT_EQ(m["machine"], (json{{"processor", "A processor"}, {"cores", 2}, {"kernel", "Linux 6.1"}}));
-  EXPECT_EQ(m["plugins"][0], (json{{"kind", "drag"}, {"id", "gidaspow"}, {"version", "1.0.0"}, {"file", "/lib/drag.so"},
-                                   {"sha256", "ab12"}}));
+  EXPECT_EQ(
+      m["plugins"][0],
+      (json{{"kind", "drag"}, {"id", "gidaspow"}, {"version", "1.0.0"}, {"file", "/lib/drag.so"}, {"sha256", "ab12"}}));
 }
 
 TEST(ManifestFile, SaysAtTheEndHowItEnded) {
@@ -83,9 +84,14 @@ TEST(ManifestFile, HoldsTheCaseAsResolvedInSi) {
   RealScene real = small_bed<RealBed>(1);
   real.periodic[1] = true;
   real.models.drag = {"drag", "gidaspow", {}, {}};
-  real.models.contact = {"contact", "linear_spring",
+  real.models.contact = {"contact",
+                         "linear_spring",
                          {{.name = "stiffness", .real = 500, .text = "", .scales_as = 0, .given = true},
-                          {.name = "rolling", .real = std::numeric_limits<double>::quiet_NaN(), .text = "", .scales_as = 0, .given = false},
+                          {.name = "rolling",
+                           .real = std::numeric_limits<double>::quiet_NaN(),
+                           .text = "",
+                           .scales_as = 0,
+                           .given = false},
                           {.name = "damping", .real = 0, .text = "cut_off", .scales_as = 0, .given = false}},
                          {}};
   real.time.end = 5;
@@ -99,14 +105,26 @@ TEST(ManifestFile, HoldsTheCaseAsResolvedInSi) {
   EXPECT_EQ(c["scene"]["walls"]["front"], "periodic");
   EXPECT_EQ(c["scene"]["walls"]["left"], "no_slip");
   EXPECT_EQ(c["models"]["contact"],
-            (json{{"id", "linear_spring"}, {"parameters", {{"stiffness", 500}, {"rolling", nullptr}, {"damping", "cut_off"}}}}));
+            (json{{"id", "linear_spring"},
+                  {"parameters", {{"stiffness", 500}, {"rolling", nullptr}, {"damping", "cut_off"}}}}));
   EXPECT_EQ(c["time"], (json{{"end [s]", 5}, {"dt [s]", nullptr}, {"gas_dt [s]", nullptr}}));
+}
+
+TEST(ManifestFile, HoldsTheResolvedCaseFileAsItIs) {
+  const ScratchFolder folder;
+  write_manifest(OutputDirectory(folder.path(), false), a_manifest(), R"({"similitude": 1, "time": {"end": "5 s"}})");
+  EXPECT_EQ(json::parse(text_of(folder / "manifest.json"))["case"],
+            (json{{"similitude", 1}, {"time", {{"end", "5 s"}}}}));
 }
 
 TEST(ManifestFile, SurvivesAPathThatIsNotUtf8) {
   Manifest manifest = a_manifest();
-  manifest.case_file = "b\xe9" "d.yaml";
-  EXPECT_EQ(written(manifest, small_bed<RealBed>(1))["case_file"], "b\xef\xbf\xbd" "d.yaml");
+  manifest.case_file =
+      "b\xe9"
+      "d.yaml";
+  EXPECT_EQ(written(manifest, small_bed<RealBed>(1))["case_file"],
+            "b\xef\xbf\xbd"
+            "d.yaml");
 }
 
 TEST(ManifestFile, NamesAPluginByTheHashOfItsFile) {
@@ -122,7 +140,7 @@ TEST(ManifestFile, NamesAPluginByTheHashOfItsFile) {
   const ManifestPlugin plugin = manifest_plugin(entry);
   EXPECT_EQ(plugin.id, "gidaspow");
   EXPECT_EQ(plugin.file, (folder / "p.so").string());
-  EXPECT_EQ(plugin.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");   // FIPS 180-2, "abc"
+  EXPECT_EQ(plugin.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");  // FIPS 180-2, "abc"
 }
 
 TEST(ManifestFile, KnowsTheMachineAndTheTime) {

@@ -38,7 +38,7 @@ TEST(MapBack, FindsTheJetRatioFromTheScalingLaw) {
   EXPECT_EQ(map.scaling_law, "froude");
   EXPECT_EQ(map.gas_density, 2);
   EXPECT_DOUBLE_EQ(map.jet_ratio, 2 * 0.25 / map.ratios.pressure);
-  EXPECT_NEAR(map.jet_ratio, 2, 2 * 2 * 1.2 / 2500);   // of the order of the density ratio
+  EXPECT_NEAR(map.jet_ratio, 2, 2 * 2 * 1.2 / 2500);  // of the order of the density ratio
 }
 
 TEST(MapBack, OfTheIdentityChangesNothing) {
@@ -49,8 +49,9 @@ TEST(MapBack, OfTheIdentityChangesNothing) {
 }
 
 TEST(MapBack, SaysWhichPressuresAreOff) {
-  EXPECT_EQ(map_back_note(quarter_scale()),
-            "Values are the real bed's: simulated values divided by the ratios of this file. Pressures are mapped by bed "
-            "weight; dynamic pressures are off by the jet ratio J* = 2. 'diameter [m]' is what touches, "
-            "'material_diameter [m]' the real particle's.");
+  EXPECT_EQ(
+      map_back_note(quarter_scale()),
+      "Values are the real bed's: simulated values divided by the ratios of this file. Pressures are mapped by bed "
+      "weight; dynamic pressures are off by the jet ratio J* = 2. 'diameter [m]' is what touches, "
+      "'material_diameter [m]' the real particle's.");
 }

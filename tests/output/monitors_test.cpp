@@ -1,8 +1,8 @@
 #include "output/monitors.h"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "scratch.h"
 
@@ -25,20 +25,21 @@ ParticleStore level_bed(int layers, int across, double diameter) {
 
 TEST(BedHeight, OfALevelBedIsItsHeight) {
   EXPECT_NEAR(bed_height(level_bed(100, 1, 1e-3)), 0.1, 1e-15);
-  EXPECT_NEAR(bed_height(level_bed(100, 10, 1e-3)), 0.1, 0.5e-3);   // half a layer, where the 95 % fall inside one
+  EXPECT_NEAR(bed_height(level_bed(100, 10, 1e-3)), 0.1, 0.5e-3);  // half a layer, where the 95 % fall inside one
 }
 
 TEST(BedHeight, IsNotMovedByAFewParticlesThrownHigh) {
   ParticleStore store = level_bed(100, 10, 1e-3);
   for (std::size_t row = 0; row < 10; ++row) store.position[row].z = 5;
-  EXPECT_NEAR(bed_height(store), 0.1, 1.5e-3);   // 1 % of the bed moved: a layer and a half
+  EXPECT_NEAR(bed_height(store), 0.1, 1.5e-3);  // 1 % of the bed moved: a layer and a half
 }
 
 TEST(BedHeight, DoesNotDependOnTheOrderOfRows) {
   ParticleStore store = level_bed(10, 3, 1e-3);
   const double before = bed_height(store);
   std::vector<std::uint32_t> backwards(store.size());
-  for (std::size_t k = 0; k < backwards.size(); ++k) backwards[k] = static_cast<std::uint32_t>(backwards.size() - 1 - k);
+  for (std::size_t k = 0; k < backwards.size(); ++k)
+    backwards[k] = static_cast<std::uint32_t>(backwards.size() - 1 - k);
   store.reorder(backwards);
   EXPECT_EQ(bed_height(store), before);
 }
@@ -56,8 +57,8 @@ TEST(Monitors, OfSolidsAreTheRealBeds) {
   EngineReport engine;
   engine.removed = 5;
   engine.contacts = 9;
-  const Monitors m = observe({.time = 0.5, .particles = &store, .engine = &engine, .largest_overlap_ratio = 0.02},
-                             quarter_scale());
+  const Monitors m =
+      observe({.time = 0.5, .particles = &store, .engine = &engine, .largest_overlap_ratio = 0.02}, quarter_scale());
   EXPECT_EQ(m.time, 1);
   EXPECT_EQ(m.particles, 2);
   EXPECT_EQ(m.removed_particles, 5);
@@ -80,7 +81,8 @@ TEST(Monitors, OfTheGasAreTheRealBeds) {
   GasFields gas;
   gas.velocity.assign(3 * grid.cell_count(), 0);
   gas.pressure.assign(grid.cell_count(), 0);
-  for (std::size_t c = 0; c < 12; ++c) gas.pressure[c] = c < 6 ? 90 : 110;   // the lowest layer, mean 100; the outlet holds 3
+  for (std::size_t c = 0; c < 12; ++c)
+    gas.pressure[c] = c < 6 ? 90 : 110;  // the lowest layer, mean 100; the outlet holds 3
   Column<double> fraction(grid.cell_count(), 0.75);
   fraction[7] = 0.4;
   similitude_gas_report report{};
@@ -122,7 +124,7 @@ TEST(Monitors, OfAClosedBedMeasureThePressureAgainstTheHighestCells) {
   for (std::size_t c = 0; c < 12; ++c) gas.pressure[c] = 8;
   const Monitors m = observe({.grid = &grid, .gas = &gas, .gas_density = 1.2}, MapBack());
   EXPECT_DOUBLE_EQ(m.pressure_drop, 3);
-  EXPECT_NEAR(m.gas_mass, 0.08 * 0.06 * 0.16 * 1.2, 1e-15);   // one-way: eps = 1
+  EXPECT_NEAR(m.gas_mass, 0.08 * 0.06 * 0.16 * 1.2, 1e-15);  // one-way: eps = 1
 }
 
 TEST(MonitorFile, NamesEveryColumnWithItsUnit) {
@@ -134,11 +136,13 @@ TEST(MonitorFile, NamesEveryColumnWithItsUnit) {
   file.write(monitors);
   const auto lines = lines_of(folder / "monitors.csv");
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0],
-            "time [s],particles [1],removed_particles [1],solids_mass [kg],solids_momentum_x [kg m/s],"
-            "solids_momentum_y [kg m/s],solids_momentum_z [kg m/s],kinetic_energy [J],rotational_energy [J],bed_height [m],"
-            "mean_height [m],largest_speed [m/s],largest_overlap [% of d],contacts [1],gas_mass [kg],"
-            "gas_momentum_x [kg m/s],gas_momentum_y [kg m/s],gas_momentum_z [kg m/s],pressure_drop [Pa],"
-            "smallest_gas_fraction [1],courant [1],gas_mass_residual [1],pressure_iterations [1],inflow [kg/s],outflow [kg/s]");
+  EXPECT_EQ(
+      lines[0],
+      "time [s],particles [1],removed_particles [1],solids_mass [kg],solids_momentum_x [kg m/s],"
+      "solids_momentum_y [kg m/s],solids_momentum_z [kg m/s],kinetic_energy [J],rotational_energy [J],bed_height [m],"
+      "mean_height [m],largest_speed [m/s],largest_overlap [% of d],contacts [1],gas_mass [kg],"
+      "gas_momentum_x [kg m/s],gas_momentum_y [kg m/s],gas_momentum_z [kg m/s],pressure_drop [Pa],"
+      "smallest_gas_fraction [1],courant [1],gas_mass_residual [1],pressure_iterations [1],inflow [kg/s],outflow "
+      "[kg/s]");
   EXPECT_EQ(lines[1], "0.5,0,0,0,0,0,0,0,,,,0,0,0,,,,,,,,,,,0.25");
 }

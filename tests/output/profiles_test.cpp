@@ -1,8 +1,8 @@
 #include "output/profiles.h"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
+
+#include <cmath>
 
 #include "scratch.h"
 
@@ -17,14 +17,14 @@ namespace {
 ProfileSettings four_bins() { return {.heights = {0.05, 0.1}, .size = {0.02, 0.03, 0.2}, .from = 1}; }
 
 struct Seen {
-  double x, y, z, velocity, mass;   // real bed
+  double x, y, z, velocity, mass;  // real bed
 };
 ParticleStore bed_of(const std::vector<Seen>& particles, const MapBack& map) {
   ParticleStore store;
   std::uint64_t id = 0;
   for (const Seen& p : particles) {
-    const std::size_t row = store.add(id++, 0, p.x * map.ratios.length, p.y * map.ratios.length, p.z * map.ratios.length,
-                                      1e-4, p.mass * map.ratios.mass);
+    const std::size_t row = store.add(id++, 0, p.x * map.ratios.length, p.y * map.ratios.length,
+                                      p.z * map.ratios.length, 1e-4, p.mass * map.ratios.mass);
     store.velocity[row].z = p.velocity * map.ratios.velocity;
   }
   return store;
@@ -34,12 +34,12 @@ ParticleStore bed_of(const std::vector<Seen>& particles, const MapBack& map) {
 
 TEST(ProfileSampler, TakesParticlesOfTheCentralPlaneAroundEachHeight) {
   ProfileSampler sampler(four_bins(), MapBack());
-  sampler.sample(bed_of({{0.007, 0.015, 0.05, 1, 1},       // second bin, in the plane
-                         {0.008, 0.011, 0.0524, 3, 1},     // still inside the slab of +-2.5 mm
-                         {0.007, 0.015, 0.0526, 100, 1},   // above it
-                         {0.007, 0.009, 0.05, 100, 1},     // in front of the middle third
-                         {0.007, 0.021, 0.05, 100, 1},     // behind it
-                         {0.02, 0.015, 0.1, -2, 1}},       // on the right wall, at the other height
+  sampler.sample(bed_of({{0.007, 0.015, 0.05, 1, 1},      // second bin, in the plane
+                         {0.008, 0.011, 0.0524, 3, 1},    // still inside the slab of +-2.5 mm
+                         {0.007, 0.015, 0.0526, 100, 1},  // above it
+                         {0.007, 0.009, 0.05, 100, 1},    // in front of the middle third
+                         {0.007, 0.021, 0.05, 100, 1},    // behind it
+                         {0.02, 0.015, 0.1, -2, 1}},      // on the right wall, at the other height
                         MapBack()),
                  1);
   const auto rows = sampler.rows();
@@ -77,7 +77,7 @@ TEST(ProfileSampler, GivesTheStandardErrorOfTheInstants) {
   for (const double v : {1.0, 2.0, 3.0, 4.0}) sampler.sample(bed_of({{0.001, 0.015, 0.05, v, 1}}, MapBack()), v);
   const auto row = sampler.rows()[0];
   EXPECT_DOUBLE_EQ(row.mean, 2.5);
-  EXPECT_DOUBLE_EQ(row.standard_error, std::sqrt(5.0 / 12));   // sqrt(sum of squares 5 / 3 / 4)
+  EXPECT_DOUBLE_EQ(row.standard_error, std::sqrt(5.0 / 12));  // sqrt(sum of squares 5 / 3 / 4)
   EXPECT_DOUBLE_EQ(row.blocks, 4);
 }
 
@@ -145,7 +145,7 @@ TEST(GasFractionProfile, WeighsCellsByTheVolumeSharedWithTheBin) {
   const ModelScene scene = small_bed<ModelBed>(0.25);
   const Grid grid(scene);
   ProfileSampler sampler({.heights = {0.04}, .size = {0.08, 0.06, 0.16}}, quarter_scale());
-  Column<double> fraction(grid.cell_count(), 0.1);   // in front and behind
+  Column<double> fraction(grid.cell_count(), 0.1);  // in front and behind
   for (int k = 0; k < 8; ++k)
     for (int i = 0; i < 4; ++i) fraction[grid.cell(i, 1, k)] = 0.4 + 0.1 * i + (k == 2 ? 0.04 : 0);
   sampler.sample(grid, fraction, 1);

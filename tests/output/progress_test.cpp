@@ -1,8 +1,8 @@
 #include "output/progress.h"
 
-#include <sstream>
-
 #include <gmock/gmock.h>
+
+#include <sstream>
 
 using namespace similitude;
 
@@ -24,7 +24,10 @@ struct Bench {
 };
 
 ProgressState at(double time) {
-  return {.time = time, .particle_steps = static_cast<std::uint64_t>(time * 1e8), .particles = 20'000, .largest_overlap = 0.004};
+  return {.time = time,
+          .particle_steps = static_cast<std::uint64_t>(time * 1e8),
+          .particles = 20'000,
+          .largest_overlap = 0.004};
 }
 
 }  // namespace
@@ -59,21 +62,23 @@ TEST(Progress, DrawsABarInPlaceFiveTimesASecond) {
   Bench bench(Progress::Screen::terminal, 2);
   bench.after(0, at(0));
   EXPECT_EQ(bench.after(0.1, at(0.25)), "");
-  EXPECT_EQ(bench.after(10, at(0.5)),
-            "\r[#####---------------] 0.5 of 2 s  25 %  ETA 30 s  5 M particle-steps/s  20000 particles  overlap 0.4 % of d");
+  EXPECT_EQ(
+      bench.after(10, at(0.5)),
+      "\r[#####---------------] 0.5 of 2 s  25 %  ETA 30 s  5 M particle-steps/s  20000 particles  overlap 0.4 % of d");
 }
 
 TEST(Progress, WipesTheRestOfALongerLine) {
   Bench bench(Progress::Screen::terminal, 2);
   bench.after(0, at(0));
-  const std::string longer = bench.after(10, {.time = 0.5, .particle_steps = 0, .particles = 1'000'000, .largest_overlap = 0});
+  const std::string longer =
+      bench.after(10, {.time = 0.5, .particle_steps = 0, .particles = 1'000'000, .largest_overlap = 0});
   const std::string shorter = bench.after(20, {.time = 0.5, .particle_steps = 0, .particles = 1, .largest_overlap = 0});
   EXPECT_GE(shorter.size(), longer.size());
 }
 
 TEST(Progress, EstimatesFromWhereThisRunBegan) {
   Bench bench(Progress::Screen::plain, 10);
-  bench.after(0, at(8));   // resumed
+  bench.after(0, at(8));  // resumed
   EXPECT_THAT(bench.after(6, at(9)), testing::HasSubstr("9 of 10 s  90 %  ETA 6 s"));
 }
 

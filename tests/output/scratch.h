@@ -1,13 +1,13 @@
 #pragma once
 /// Folders and beds that the tests of output/ share.
 
+#include <stdlib.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <stdlib.h>
 
 #include "output/map_back.h"
 #include "particles/store.h"
@@ -118,7 +118,8 @@ Scene<Bed> small_bed(double scale) {
   Baffle plate;
   plate.name = "plate";
   plate.position = 0.04 * scale;
-  plate.extent = {Interval{plate.position, plate.position}, Interval{0, scene.size[1]}, Interval{0.04 * scale, 0.1 * scale}};
+  plate.extent = {Interval{plate.position, plate.position}, Interval{0, scene.size[1]},
+                  Interval{0.04 * scale, 0.1 * scale}};
   plate.thickness = 0.002 * scale;
   scene.baffles = {plate};
   return scene;

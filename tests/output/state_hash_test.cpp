@@ -1,8 +1,8 @@
 #include "output/state_hash.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "output/sha256.h"
 #include "output/whole_file.h"
@@ -21,7 +21,7 @@ std::string sha256_of(const std::string& text) {
 
 ParticleStore three_particles() {
   ParticleStore store(StoreFields{.rotation = true});
-  for (const std::uint64_t id : {7, 3, 5}) {
+  for (const std::uint64_t id : {7u, 3u, 5u}) {
     const std::size_t row = store.add(id, 0, 0.01 * static_cast<double>(id), 0.02, 0.03, 5e-4, 1e-6);
     store.velocity[row].z = static_cast<double>(id);
     store.angular_velocity[row].x = 2;
@@ -44,7 +44,8 @@ TEST(Sha256, DoesNotDependOnHowTheBytesArrive) {
   const std::string text(1000, 'x');
   for (const std::size_t piece : {1u, 7u, 63u, 64u, 65u, 119u}) {
     Sha256 hash;
-    for (std::size_t at = 0; at < text.size(); at += piece) hash.add(text.data() + at, std::min(piece, text.size() - at));
+    for (std::size_t at = 0; at < text.size(); at += piece)
+      hash.add(text.data() + at, std::min(piece, text.size() - at));
     EXPECT_EQ(hash.hex(), sha256_of(text)) << piece;
   }
 }

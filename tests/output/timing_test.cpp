@@ -1,6 +1,7 @@
 #include "output/timing.h"
 
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 
 #include "scratch.h"
@@ -10,8 +11,9 @@ using namespace similitude::test;
 
 TEST(TimingFile, AccountsForEverySecond) {
   const ScratchFolder folder;
-  write_timing(OutputDirectory(folder.path(), false),
-               {.wall_s = 20, .simulated_s = 0.5, .particle_steps = 40'000'000, .stages = {{"contacts", 12}, {"gas", 5}}});
+  write_timing(
+      OutputDirectory(folder.path(), false),
+      {.wall_s = 20, .simulated_s = 0.5, .particle_steps = 40'000'000, .stages = {{"contacts", 12}, {"gas", 5}}});
   const auto timing = nlohmann::json::parse(text_of(folder / "timing.json"));
   EXPECT_EQ(timing["wall_s"], 20);
   EXPECT_EQ(timing["simulated_s"], 0.5);
@@ -24,7 +26,8 @@ TEST(TimingFile, AccountsForEverySecond) {
 
 TEST(TimingFile, HasNoRatesWhereNoTimePassed) {
   const ScratchFolder folder;
-  write_timing(OutputDirectory(folder.path(), false), {.wall_s = 0, .simulated_s = 0, .particle_steps = 5, .stages = {{"gas", 0}}});
+  write_timing(OutputDirectory(folder.path(), false),
+               {.wall_s = 0, .simulated_s = 0, .particle_steps = 5, .stages = {{"gas", 0}}});
   const auto timing = nlohmann::json::parse(text_of(folder / "timing.json"));
   EXPECT_EQ(timing["particle_steps_per_s"], 0);
   EXPECT_EQ(timing["stages"], nlohmann::json::parse(R"([{"name": "gas", "seconds": 0, "share": 0}])"));

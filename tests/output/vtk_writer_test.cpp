@@ -1,8 +1,8 @@
 #include "output/vtk_writer.h"
 
-#include <cstdlib>
-
 #include <gmock/gmock.h>
+
+#include <cstdlib>
 
 #include "output/view_script.h"
 #include "output/whole_file.h"
@@ -18,10 +18,10 @@ namespace {
 /// Five particles in falling order of id, simulated at a quarter: read_back.py knows the same numbers.
 ParticleStore five_particles(bool rotation) {
   ParticleStore store(StoreFields{.rotation = rotation});
-  for (const std::uint64_t id : {4, 3, 2, 1, 0}) {
+  for (const std::uint64_t id : {4u, 3u, 2u, 1u, 0u}) {
     const auto k = static_cast<double>(id);
-    const std::size_t row =
-        store.add(id, static_cast<std::uint32_t>(id % 2), 0.002 * (k + 1), 0.005, 0.004 * (k + 1), 5e-4 * (1 + 0.5 * k), 1e-6);
+    const std::size_t row = store.add(id, static_cast<std::uint32_t>(id % 2), 0.002 * (k + 1), 0.005, 0.004 * (k + 1),
+                                      5e-4 * (1 + 0.5 * k), 1e-6);
     store.velocity[row].x = 0.25 * k;
     store.velocity[row].y = -0.5;
     store.velocity[row].z = 1.5;
@@ -53,6 +53,13 @@ void expect_python_agrees(const std::string& script, const std::filesystem::path
   const std::string command = "/usr/bin/python3 '" + script + "' '" + folder.string() + "' " + words + " > '" +
                               (folder / "said").string() + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << text_of(folder / "said");
+}
+
+/// Is it a PNG of some size, with more than one colour in it? An even picture of 1200 rows packs into a few kB.
+void expect_picture(const std::filesystem::path& file) {
+  const std::string png = text_of(file);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_GT(png.size(), 10'000u);
 }
 
 class VtkFiles : public testing::Test {
@@ -131,6 +138,38 @@ TEST_F(VtkFiles, AreOpenedByAScriptThatPythonUnderstands) {
   write_view_script(directory, real);
   const std::string script = text_of(folder / "view.py");
   EXPECT_THAT(script, testing::HasSubstr("\nSIZE = [0.08,0.06,0.16]"));
-  EXPECT_THAT(script, testing::HasSubstr(R"(PLATES = [{"name":"plate \"left\"","low":[0.039,0.0,0.04],"high":[0.041,0.06,0.1]}])"));
+  EXPECT_THAT(script, testing::HasSubstr(
+                          R"(PLATES = [{"name":"plate \"left\"","low":[0.039,0.0,0.04],"high":[0.041,0.06,0.1]}])"));
   EXPECT_EQ(std::system(("/usr/bin/python3 -m py_compile '" + (folder / "view.py").string() + "'").c_str()), 0);
+}
+
+// Debian's ParaView modules cannot be installed beside python3-vtk9. Where they are unpacked, this variable names the
+// folder (docs/reference/output-files.md says how), and there must be xvfb-run.
+TEST_F(VtkFiles, AreShownByParaView) {
+  const char* modules = std::getenv("SIMILITUDE_PARAVIEW_MODULES");
+  if (!modules) GTEST_SKIP() << "SIMILITUDE_PARAVIEW_MODULES is not set";
+  VtkWriter writer(directory, quarter_scale(), {});
+  const Gas gas = gas_in(grid);
+  for (const double time : {0.0, 0.1}) {
+    writer.particles(five_particles(false), time);
+    writer.fluid(grid, gas.fields, gas.fraction, time);
+  }
+  write_view_script(directory, small_bed<RealBed>(1));
+  const std::string command = "PYTHONPATH='" + std::string(modules) + "' xvfb-run -a /usr/bin/python3 '" +
+                              (folder / "view.py").string() + "' --screenshot '" + (folder / "bed.png").string() + "'";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  expect_picture(folder / "bed.png");
+}
+
+TEST_F(VtkFiles, AreDrawnAsAPictureWithoutAScreen) {
+  if (std::system("/usr/bin/python3 -c 'import matplotlib' 2> /dev/null") != 0) GTEST_SKIP() << "no python3-matplotlib";
+  VtkWriter writer(directory, quarter_scale(), {});
+  writer.particles(five_particles(false), 0);
+  write_view_script(directory, small_bed<RealBed>(1));
+  expect_python_agrees(SIMILITUDE_BED_PICTURE, folder.path(), "'" + (folder / "bed.png").string() + "'");
+  expect_picture(folder / "bed.png");
+  const Gas gas = gas_in(grid);
+  writer.fluid(grid, gas.fields, gas.fraction, 0);
+  expect_python_agrees(SIMILITUDE_BED_PICTURE, folder.path(), "'" + (folder / "with-gas.png").string() + "'");
+  EXPECT_NE(text_of(folder / "with-gas.png"), text_of(folder / "bed.png"));
 }

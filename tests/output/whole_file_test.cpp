@@ -1,10 +1,10 @@
 #include "output/whole_file.h"
 
-#include <csignal>
+#include <gmock/gmock.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 
-#include <gmock/gmock.h>
+#include <csignal>
 
 #include "scratch.h"
 
@@ -33,15 +33,17 @@ TEST(WholeFile, SaysThatTheDiskIsFullAndKeepsTheEarlierFile) {
   write_whole_file(folder / "a", "earlier");
   std::filesystem::create_symlink("/dev/full", folder / "a.part");
   EXPECT_EQ(message_of<OutputError>([&] { write_whole_file(folder / "a", "later"); }),
-            (folder / "a").string() + ": cannot be written: the disk is full.\n"
-            "  Free space there or give another folder with -o. What was written before is whole.");
+            (folder / "a").string() +
+                ": cannot be written: the disk is full.\n"
+                "  Free space there or give another folder with -o. What was written before is whole.");
   EXPECT_EQ(text_of(folder / "a"), "earlier");
   EXPECT_THAT(names_in(folder.path()), ElementsAre("a"));
 }
 
 TEST(WholeFile, LeavesNothingOnASmallDiskThatFillsUpHalfWay) {
   const ScratchFolder folder;
-  if (::mount("none", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0) GTEST_SKIP() << "mounting is not allowed here";
+  if (::mount("none", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
+    GTEST_SKIP() << "mounting is not allowed here";
   const std::string message =
       message_of<OutputError>([&] { write_whole_file(folder / "frame", std::string(100'000, 'x')); });
   const std::vector<std::string> left = names_in(folder.path());
@@ -62,8 +64,9 @@ TEST(WholeFile, LeavesNothingWhenAWriteStopsHalfWay) {
       message_of<OutputError>([&] { write_whole_file(folder / "frame", std::string(100'000, 'x')); });
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(message, (folder / "frame").string() + ": cannot be written: File too large.\n"
-                     "  Check that its folder exists and may be written to, or give another folder with -o.");
+  EXPECT_EQ(message, (folder / "frame").string() +
+                         ": cannot be written: File too large.\n"
+                         "  Check that its folder exists and may be written to, or give another folder with -o.");
   EXPECT_THAT(names_in(folder.path()), IsEmpty());
 }
 
@@ -71,6 +74,7 @@ TEST(WholeFile, SaysThatTheFolderIsNotThere) {
   const ScratchFolder folder;
   const auto file = folder / "gone" / "a";
   EXPECT_EQ(message_of<OutputError>([&] { write_whole_file(file, "x"); }),
-            file.string() + ": cannot be written: No such file or directory.\n"
-            "  Check that its folder exists and may be written to, or give another folder with -o.");
+            file.string() +
+                ": cannot be written: No such file or directory.\n"
+                "  Check that its folder exists and may be written to, or give another folder with -o.");
 }

@@ -86,9 +86,9 @@ ParticleStore periodic_crowd(ModelScene& scene) {
   scene = box(0.012, 0.010, 0.011, {true, true, true});
   ParticleStore store = spinning_store();
   Random random(5);
-  fill_lattice(store, scene, 600, 0.45e-3, 1.0e-3, 0.1e-3);
+  fill_lattice(store, scene, 600, 0.45e-3, 1.0e-3, 0.05e-3);
   for (std::size_t row = 0; row < store.size(); ++row) {
-    const double radius = random.within(0.35e-3, 0.52e-3), mass = sphere_mass(radius);
+    const double radius = random.within(0.35e-3, 0.44e-3), mass = sphere_mass(radius);
     store.position[row].w = radius;
     store.velocity[row].w = mass;
     store.angular_velocity[row] = {random.within(-200, 200), random.within(-200, 200), random.within(-200, 200),

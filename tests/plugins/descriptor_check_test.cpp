@@ -85,8 +85,12 @@ TEST(DescriptorCheck, AModelIsNamedAsTheUserWillTypeIt) {
   EXPECT_FAULT(l.model.kind = nullptr, "model 1: there is no kind \"\"; kinds are drag, contact, fluid, scaling and effect.");
   EXPECT_FAULT(l.model.id = "My Law", "model 1: \"My Law\" is no id; write my_law, or org.example.my_law for a third party's.");
   EXPECT_FAULT(l.model.id = nullptr, "model 1: \"\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = "2nd", "model 1: \"2nd\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = "org.", "model 1: \"org.\" is no id; write my_law, or org.example.my_law for a third party's.");
   EXPECT_FAULT(l.model.id = "org..law", "model 1: \"org..law\" is no id; write my_law, or org.example.my_law for a third party's.");
   EXPECT_FAULT(l.model.version = "1.0", "drag model \"law\": its version \"1.0\" is not of the form 1.0.0.");
+  EXPECT_FAULT(l.model.version = "1.0.0.0", "drag model \"law\": its version \"1.0.0.0\" is not of the form 1.0.0.");
+  EXPECT_FAULT(l.model.version = "v1.0.0", "drag model \"law\": its version \"v1.0.0\" is not of the form 1.0.0.");
   EXPECT_FAULT(l.model.version = nullptr, "drag model \"law\": its version \"\" is not of the form 1.0.0.");
   EXPECT_FAULT(l.model.title = nullptr, "drag model \"law\": it has no title.");
 }

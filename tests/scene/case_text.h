@@ -81,7 +81,8 @@ inline std::string complaint(const std::string& text, const std::vector<std::str
     message = std::string("[plugin] ") + error.what();
   }
   const std::string prefix = folder.path().string() + "/";
-  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix)) message.erase(at, prefix.size());
+  for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix))
+    message.erase(at, prefix.size());
   return message;
 }
 

@@ -36,4 +36,11 @@ inline void set_mirrors(const Component& component, std::vector<double>& velocit
   }
 }
 
+/// All of them, once the faces between cells are known.
+inline void set_boundaries(const Staggered& mesh, const Component& component, double time, std::vector<double>& velocity) {
+  set_inlets(mesh, component, time, velocity);
+  set_walls(mesh, component, time, velocity);
+  set_mirrors(component, velocity);
+}
+
 }  // namespace similitude::vans

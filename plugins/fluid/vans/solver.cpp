@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 
 #include "boundary.h"
 #include "viscous.h"
@@ -11,9 +9,6 @@
 namespace similitude::vans {
 
 namespace {
-
-// [-], of a cell's gas: what moves less in a step is rounding, not flow.
-constexpr double k_still = 1e-9;
 
 /// visit(cell, its lower and upper face) for all cells, along one axis.
 template <class Visit>
@@ -46,7 +41,9 @@ GasSolver::GasSolver(const similitude_grid& grid, const GasOptions& options)
   }
   site_.assign(most_sites, 0.0);
   for (auto* field : {&divergence_, &right_side_, &increment_}) field->assign(u(mesh_.cell_count), 0.0);
-  refuse_inlets_without_outlet(mesh_);
+  for (auto& share : active_share_) share.assign(u(mesh_.cell_count), 0.0);
+  for (std::size_t a = 0; a < 3; ++a) set_active_shares(a);
+  refuse_inlets_without_outlet();
 }
 
 void GasSolver::start(const similitude_gas_step& fields) {
@@ -87,80 +84,6 @@ void GasSolver::divergence_of(const FaceFields& field, std::vector<double>& out)
   }
 }
 
-void GasSolver::viscous_force() {
-  divergence_of(velocity_, divergence_);
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    std::fill(viscous_[a].begin(), viscous_[a].end(), 0.0);
-    for (std::size_t b = 0; b < 3; ++b) {
-      if (b == a) {
-        tension_along(component, options_.viscosity, mesh_.spacing[a], velocity_[a], divergence_, site_);
-      } else {
-        tension_across(component, b, options_.viscosity, mesh_.spacing, velocity_[a], velocity_[b], site_);
-      }
-      pull(component, b, mesh_.spacing[b], site_, viscous_[a]);
-    }
-  }
-}
-
-/// gain_ = mean over two stages of -div(F u).
-void GasSolver::advect(double dt) {
-  divergence_of(flux_, divergence_);
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    const Index count = static_cast<Index>(component.faces.size());
-    const auto add_transport = [&](const std::vector<double>& velocity) {
-      for (std::size_t b = 0; b < 3; ++b) {
-        carry(component, b, options_.advection, velocity, flux_[b], site_);
-        collect(component, b, mesh_.spacing[b], site_, gain_[a]);
-      }
-    };
-    std::fill(gain_[a].begin(), gain_[a].end(), 0.0);
-    add_transport(velocity_[a]);
-    // The first stage moves velocity with the gas that the flux itself moves, so that a uniform velocity stays uniform.
-    std::copy(velocity_[a].begin(), velocity_[a].end(), stage_[a].begin());
-#pragma omp parallel for schedule(static)
-    for (Index n = 0; n < count; ++n) {
-      const ActiveFace& face = component.faces[u(n)];
-      const double before = fraction_old_[a][u(face.face)];
-      const double drained = dt * (0.5 * (divergence_[u(face.below)] + divergence_[u(face.above)]));
-      const double after = std::max(before - drained, 0.5 * before);  // a Courant number beyond one must not divide by zero
-      stage_[a][u(face.face)] = (before * velocity_[a][u(face.face)] + dt * gain_[a][u(n)]) / after;
-    }
-    copy_periodic_faces(mesh_, a, stage_[a]);
-    set_mirrors(component, stage_[a]);
-    add_transport(stage_[a]);
-    for (double& gain : gain_[a]) gain *= 0.5;
-  }
-}
-
-/// velocity_ = the velocity before the pressure changes; mobility_ and coefficient_ for the projection.
-void GasSolver::predict(const similitude_gas_step& step) {
-  const double inertia = options_.density / step.dt;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    const double* const push = step.exchange_velocity + static_cast<Index>(a) * mesh_.cell_count;
-    const double* const owed = step.remainder + static_cast<Index>(a) * mesh_.cell_count;
-    const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static)
-    for (Index n = 0; n < count; ++n) {
-      const ActiveFace& face = component.faces[u(n)];
-      const std::size_t f = u(face.face);
-      const auto mean = [&](const double* cells) { return 0.5 * (cells[face.below] + cells[face.above]); };
-      const double fraction = fraction_[a][f];
-      const double momentum = inertia * (fraction_old_[a][f] * velocity_[a][f]) + options_.density * gain_[a][u(n)];
-      const double force = fraction * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
-      const double resistance = inertia * fraction + mean(step.exchange);
-      velocity_[a][f] = (momentum + force) / resistance;
-      mobility_[a][f] = fraction / resistance;
-      coefficient_[a][f] = fraction * mobility_[a][f];
-    }
-    set_inlets(mesh_, component, step.time, velocity_[a]);
-    copy_periodic_faces(mesh_, a, velocity_[a]);
-    copy_periodic_faces(mesh_, a, coefficient_[a]);
-  }
-}
-
 /// gradient = grad of a cell field at active faces; `patch_value(patch)` holds half a cell beyond pressure patches.
 template <class PatchValue>
 void GasSolver::set_gradient(const double* field, PatchValue&& patch_value) {
@@ -177,6 +100,60 @@ void GasSolver::set_gradient(const double* field, PatchValue&& patch_value) {
       gradient_[a][u(outlet.face)] = outlet.side == 1 ? outward : -outward;
     }
     copy_periodic_faces(mesh_, a, gradient_[a]);
+  }
+}
+
+void GasSolver::viscous_force() {
+  divergence_of(velocity_, divergence_);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Component& component = components_[a];
+    std::fill(viscous_[a].begin(), viscous_[a].end(), 0.0);
+    for (std::size_t b = 0; b < 3; ++b) {
+      if (b == a) {
+        tension_along(component, options_.viscosity, mesh_.spacing[a], velocity_[a], divergence_, site_);
+      } else {
+        tension_across(component, b, options_.viscosity, mesh_.spacing, velocity_[a], velocity_[b], site_);
+      }
+      pull(component, b, mesh_.spacing[b], site_, viscous_[a]);
+    }
+  }
+}
+
+/// gain_ += -div(F u); faces and slots of `velocity` are set.
+void GasSolver::add_transport(const FaceFields& velocity) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      carry(components_[a], b, options_.advection, velocity[a], flux_[b], site_);
+      collect(components_[a], b, mesh_.spacing[b], site_, gain_[a]);
+    }
+  }
+}
+
+/// predicted = the velocity under the old pressure, transported by `share` of gain_, walls and mirrors included; mobility_
+/// and coefficient_ for the projection.
+void GasSolver::predict(const similitude_gas_step& step, double share, FaceFields& predicted) {
+  const double inertia = options_.density / step.dt;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Component& component = components_[a];
+    const double* const push = step.exchange_velocity + static_cast<Index>(a) * mesh_.cell_count;
+    const double* const owed = step.remainder + static_cast<Index>(a) * mesh_.cell_count;
+    const Index count = static_cast<Index>(component.faces.size());
+#pragma omp parallel for schedule(static)
+    for (Index n = 0; n < count; ++n) {
+      const ActiveFace& face = component.faces[u(n)];
+      const std::size_t f = u(face.face);
+      const auto mean = [&](const double* cells) { return 0.5 * (cells[face.below] + cells[face.above]); };
+      const double fraction = fraction_[a][f];
+      const double momentum = inertia * (fraction_old_[a][f] * velocity_[a][f]) + (share * options_.density) * gain_[a][u(n)];
+      const double force = fraction * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
+      const double resistance = inertia * fraction + mean(step.exchange);
+      predicted[a][f] = (momentum + force) / resistance;
+      mobility_[a][f] = fraction / resistance;
+      coefficient_[a][f] = fraction * mobility_[a][f];
+    }
+    set_boundaries(mesh_, component, step.time, predicted[a]);
+    copy_periodic_faces(mesh_, a, predicted[a]);
+    copy_periodic_faces(mesh_, a, coefficient_[a]);
   }
 }
 
@@ -209,3 +186,28 @@ SolveReport GasSolver::project(const similitude_gas_step& step, double& throughp
   for (Index c = 0; c < mesh_.cell_count; ++c) step.pressure[c] += increment_[u(c)];
   return solved;
 }
+
+void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& report) {
+  set_face_fractions(step.gas_fraction_old, fraction_old_);
+  set_face_fractions(step.gas_fraction, fraction_);
+  for (std::size_t a = 0; a < 3; ++a) {
+    set_walls(mesh_, components_[a], step.time, velocity_[a]);
+    set_mirrors(components_[a], velocity_[a]);
+    std::fill(gain_[a].begin(), gain_[a].end(), 0.0);
+  }
+  set_flux(fraction_old_);
+  viscous_force();
+  set_gradient(step.pressure, [](const similitude_patch& patch) { return patch.pressure; });
+  add_transport(velocity_);
+  predict(step, 1, stage_);
+  add_transport(stage_);
+  predict(step, 0.5, velocity_);
+  double throughput = 0;
+  const SolveReport solved = project(step, throughput);
+  set_gradient(step.pressure, [](const similitude_patch& patch) { return patch.pressure; });
+  fill_cells(step);
+  report.iterations = solved.iterations;
+  fill_report(step, throughput, report);
+}
+
+}  // namespace similitude::vans

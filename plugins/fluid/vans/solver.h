@@ -12,7 +12,8 @@
 /// faces is what particles receive in cells: in a periodic box the momentum of gas and particles is conserved to rounding.
 ///
 /// Advection takes two stages (Heun) with the flux of the step's beginning: one Euler stage with a second-order limiter
-/// steepens smooth waves into stairs, and two keep the scheme free of new extremes up to a Courant number near one.
+/// steepens smooth waves into stairs, and two keep the scheme stable up to a Courant number near one. The stage in between
+/// is the whole prediction, forces included, so that a steady state does not depend on the time step.
 
 #include <memory>
 #include <string>
@@ -51,13 +52,18 @@ class GasSolver {
  private:
   void set_face_fractions(const double* gas_fraction, FaceFields& fraction) const;
   void set_flux(const FaceFields& fraction);
+  template <class PatchValue>
+  void set_gradient(const double* field, PatchValue&& patch_value);
+  void set_active_shares(std::size_t axis);
+  void refuse_inlets_without_outlet() const;
   void divergence_of(const FaceFields& field, std::vector<double>& out) const;
   void viscous_force();
-  void advect(double dt);
-  void predict(const similitude_gas_step& step);
+  void add_transport(const FaceFields& velocity);
+  void predict(const similitude_gas_step& step, double share, FaceFields& predicted);
+  double measure_throughput(const similitude_gas_step& step) const;
   SolveReport project(const similitude_gas_step& step, double& throughput);
   void fill_cells(const similitude_gas_step& step);
-  void fill_report(const similitude_gas_step& step, double throughput, similitude_gas_report& report) const;
+  void fill_report(const similitude_gas_step& step, double throughput, similitude_gas_report& report);
   [[noreturn]] void throw_not_converged(const SolveReport& solved) const;
 
   Staggered mesh_;
@@ -74,6 +80,7 @@ class GasSolver {
   FaceFields mobility_;                  // [m^3 s/kg], eps / (rho eps/dt + E) at active faces
   std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
   std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
+  std::array<std::vector<double>, 3> active_share_;   // [-], cells: one over the number of active faces along the axis
   std::vector<double> site_;             // scratch, sites
   std::vector<double> divergence_, right_side_, increment_;   // cells
 };

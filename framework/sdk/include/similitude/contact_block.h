@@ -53,7 +53,7 @@ bool rotates(const Law& law) {
   }
 }
 
-SIMILITUDE_INLINE Contact<Pack> contact_at(const similitude_contact_block& block, std::size_t row) {
+inline Contact<Pack> contact_at(const similitude_contact_block& block, std::size_t row) {
   Contact<Pack> c;
   c.dt = block.dt;
   c.normal = load(block.normal, row);
@@ -72,15 +72,15 @@ SIMILITUDE_INLINE Contact<Pack> contact_at(const similitude_contact_block& block
 
 /// Rows of several material pairs may share a pack: the law is evaluated over the full width once per distinct pair and
 /// each row takes its own. There is one call of the law in the source, so that a row's bits depend neither on its
-/// neighbours nor on its place.
+/// neighbours nor on its place. Flattened: the law's own functions become part of the loop, or its packs would lie on the stack.
 template <class Law, bool Remembering>
-void contact_forces(const std::vector<Law>& laws, const similitude_contact_block& block) {
+[[gnu::flatten]] void contact_forces(const std::vector<Law>& laws, const similitude_contact_block& block) {
   constexpr std::size_t values = Remembering ? history_count<Law>() : 0;
   constexpr std::size_t width = Pack::size();
   for (std::size_t row = 0; row < block.rows; row += width) {
     const Contact<Pack> c = contact_at(block, row);
-    History<Pack> before, after;
-    for (std::size_t k = 0; k < values; ++k) before.value[k] = after.value[k] = load(block.history[k], row);
+    Pack before[values + 1], after[values + 1];   // one more, since a law may have none
+    for (std::size_t k = 0; k < values; ++k) before[k] = after[k] = load(block.history[k], row);
     const std::uint32_t* pair = block.pair ? block.pair + row : nullptr;
     const Pack pairs([pair](auto lane) { return pair ? static_cast<double>(pair[lane]) : 0.0; });
     Force<Pack> total{{Pack(0), Pack(0), Pack(0)}};
@@ -90,9 +90,10 @@ void contact_forces(const std::vector<Law>& laws, const similitude_contact_block
       const Mask here = pairs == static_cast<double>(set);
       Force<Pack> one;
       if constexpr (Remembering) {
-        History<Pack> memory = before;
+        History<Pack> memory;
+        for (std::size_t k = 0; k < values; ++k) memory.value[k] = before[k];
         one = laws[set].force(c, memory);
-        for (std::size_t k = 0; k < values; ++k) after.value[k] = select(here, memory.value[k], after.value[k]);
+        for (std::size_t k = 0; k < values; ++k) after[k] = select(here, memory.value[k], after[k]);
       } else {
         one = laws[set].force(c);
       }
@@ -104,7 +105,7 @@ void contact_forces(const std::vector<Law>& laws, const similitude_contact_block
     if constexpr (has_couple<Law>()) {
       if (block.couple[0]) store(total.couple, block.couple, row);
     }
-    for (std::size_t k = 0; k < values; ++k) store(after.value[k], block.history[k], row);
+    for (std::size_t k = 0; k < values; ++k) store(after[k], block.history[k], row);
   }
 }
 

@@ -23,7 +23,9 @@ using testing::k_example;
 
 constexpr const char* k_python = "/usr/bin/python3";
 
-bool python_can() { return std::system((std::string(k_python) + " -c 'import jsonschema, yaml' 2>/dev/null").c_str()) == 0; }
+bool python_can() {
+  return std::system((std::string(k_python) + " -c 'import jsonschema, yaml' 2>/dev/null").c_str()) == 0;
+}
 
 /// "valid …" or "invalid …" per case, or what Python said instead.
 std::string verdicts(const CaseFolder& folder, const std::vector<std::filesystem::path>& cases) {
@@ -62,7 +64,7 @@ TEST_F(Schema, TakesEveryShippedCase) {
     std::ifstream stream(entry.path());
     std::ostringstream text;
     text << stream.rdbuf();
-    if (text.str().find("\nsimilitude: ") == std::string::npos) continue;   // a study, or data of another kind
+    if (text.str().find("\nsimilitude: ") == std::string::npos) continue;  // a study, or data of another kind
     cases.push_back(entry.path());
     wanted += "valid " + entry.path().string() + "\n";
   }
@@ -72,8 +74,9 @@ TEST_F(Schema, TakesEveryShippedCase) {
 
 TEST_F(Schema, TakesTheExampleAndItsResolvedForm) {
   expect("valid", {k_example, testing::read_text_case(k_example).resolved,
-                   testing::read_text_case(k_example, {"models.effects=[magnus]", "scene.gravity=9.8 m/s^2", "scene.bed.fill=lattice",
-                                                       "output.vtk=none", "time.dt=1 us", "models.contact.tangential=slip"})
+                   testing::read_text_case(
+                       k_example, {"models.effects=[magnus]", "scene.gravity=9.8 m/s^2", "scene.bed.fill=lattice",
+                                   "output.vtk=none", "time.dt=1 us", "models.contact.tangential=slip"})
                        .resolved});
 }
 
@@ -107,11 +110,25 @@ TEST_F(Schema, RefusesWhatTheProgramRefuses) {
 
 /// The rows of the reference page's tables: key, how it is written, default, meaning.
 void collect(KeyTable table, const std::string& path, std::vector<std::string>& rows) {
-  static const char* const forms[] = {"text",     "whole number", "true or false",   "",
-                                      "[UNIT]",   "[UNIT] or auto", "two of [UNIT]", "three of [UNIT]",
-                                      "[UNIT], or three", "[UNIT], or three", "[UNIT], or a list", "every [UNIT]",
-                                      "every [UNIT], or none", "list of x, y, z", "list of texts", "keys below",
-                                      "names, each with the keys below", "model", "auto, or list of models"};
+  static const char* const forms[] = {"text",
+                                      "whole number",
+                                      "true or false",
+                                      "",
+                                      "[UNIT]",
+                                      "[UNIT] or auto",
+                                      "two of [UNIT]",
+                                      "three of [UNIT]",
+                                      "[UNIT], or three",
+                                      "[UNIT], or three",
+                                      "[UNIT], or a list",
+                                      "every [UNIT]",
+                                      "every [UNIT], or none",
+                                      "list of x, y, z",
+                                      "list of texts",
+                                      "keys below",
+                                      "names, each with the keys below",
+                                      "model",
+                                      "auto, or list of models"};
   for (const CaseKey& key : table) {
     std::string form = forms[static_cast<int>(key.form)];
     if (key.form == Form::choice) form = key.choices;

@@ -50,7 +50,8 @@ TEST(Units, PrefixesMakeNoDifferenceToTheBits) {
 TEST(Units, DegreesAreRadians) { EXPECT_DOUBLE_EQ(parse_quantity("180 deg", "1"), std::acos(-1.0)); }
 
 TEST(Units, RefuseWhatIsNoUnit) {
-  for (const char* text : {"", "mmm", "m^", "m^0", "m3", "kg/m s", "/", "(m", "m)", "m//s", "kilogram", "10", "m^99", "k"})
+  for (const char* text :
+       {"", "mmm", "m^", "m^0", "m3", "kg/m s", "/", "(m", "m)", "m//s", "kilogram", "10", "m^99", "k"})
     EXPECT_FALSE(parse_unit(text)) << text;
 }
 
@@ -67,11 +68,14 @@ void expect_error(const char* text, const char* unit, const std::string& what, c
 TEST(Units, ErrorsNameTheDimensionAndAnExample) {
   expect_error("5", "mm", "5 has no unit; a length is needed.", "Write for example 5 mm.");
   expect_error("5 s", "mm", "5 s is a time; a length is needed.", "Write for example 5 mm.");
-  expect_error("1.8e-5 Pa", "Pa s", "1.8e-5 Pa is a pressure; a dynamic viscosity is needed.", "Write for example 1.8e-5 Pa s.");
-  expect_error("0.3 mm", "1", "0.3 mm is a length; a pure number is needed.", "Write it without a unit, for example 0.3.");
+  expect_error("1.8e-5 Pa", "Pa s", "1.8e-5 Pa is a pressure; a dynamic viscosity is needed.",
+               "Write for example 1.8e-5 Pa s.");
+  expect_error("0.3 mm", "1", "0.3 mm is a length; a pure number is needed.",
+               "Write it without a unit, for example 0.3.");
   expect_error("5 mmm", "mm", "\"mmm\" is not a unit.", "Here a length is needed, for example 5 mm.");
   expect_error("5 kg/m s", "Pa s", "\"kg/m s\" can be read in two ways.", "Use brackets, for example kg/(m s).");
-  expect_error("five mm", "mm", "\"five mm\" is not a number with a unit; a length is needed.", "Write for example 1 mm.");
+  expect_error("five mm", "mm", "\"five mm\" is not a number with a unit; a length is needed.",
+               "Write for example 1 mm.");
   expect_error("nan", "1", "\"nan\" is not a number.", "Write for example 1.");
   expect_error("1e400 m", "m", "1e400 m is beyond the range of numbers.", "");
   expect_error("3 kg m^4", "m", "3 kg m^4 is a quantity in kg m^4; a length is needed.", "Write for example 3 m.");

@@ -63,11 +63,11 @@ TEST(CaseFile, PatchesLieOnTheirFaces) {
   EXPECT_EQ(face_name(spout.face), "bottom");
   EXPECT_EQ(spout.extent[0].low, 0.07);
   EXPECT_EQ(spout.extent[0].high, 0.08);
-  EXPECT_EQ(spout.extent[1].low, 0);      // left out: the whole depth
+  EXPECT_EQ(spout.extent[1].low, 0);  // left out: the whole depth
   EXPECT_EQ(spout.extent[1].high, 0.02);
   EXPECT_EQ(spout.extent[2].high, 0);
   EXPECT_EQ(spout.velocity, 13.2);
-  EXPECT_EQ(spout.ramp, 0.05);            // by default
+  EXPECT_EQ(spout.ramp, 0.05);  // by default
   EXPECT_EQ(spout.mark.line, 9);
   EXPECT_EQ(spout.mark.column, 17);
   EXPECT_EQ(spout.extent_mark[0].column, 35);
@@ -90,7 +90,8 @@ TEST(CaseFile, AListOfPlatePositionsMakesNumberedPlates) {
 }
 
 TEST(CaseFile, ASinglePlateKeepsItsName) {
-  const RealScene bed = read_text_case(example_with("at_x: [60 mm, 90 mm], z: [30 mm, 250 mm], thickness: 2 mm", "at_z: 60 mm")).scene;
+  const RealScene bed =
+      read_text_case(example_with("at_x: [60 mm, 90 mm], z: [30 mm, 250 mm], thickness: 2 mm", "at_z: 60 mm")).scene;
   ASSERT_EQ(bed.baffles.size(), 1u);
   EXPECT_EQ(bed.baffles[0].name, "plates");
   EXPECT_EQ(bed.baffles[0].normal, Axis::z);
@@ -99,7 +100,9 @@ TEST(CaseFile, ASinglePlateKeepsItsName) {
 }
 
 TEST(CaseFile, WhatIsLeftOutHasSensibleValues) {
-  const RealScene bed = read_text_case(example_with("output: {vtk: every 50 ms, profiles: {z: [100 mm, 300 mm], from: 1 s}}\n", "")).scene;
+  const RealScene bed =
+      read_text_case(example_with("output: {vtk: every 50 ms, profiles: {z: [100 mm, 300 mm], from: 1 s}}\n", ""))
+          .scene;
   EXPECT_EQ(bed.gravity, (std::array{0.0, 0.0, -9.81}));
   EXPECT_EQ(bed.periodic, (std::array{false, false, false}));
   EXPECT_EQ(bed.walls[2][1], WallKind::no_slip);
@@ -135,7 +138,8 @@ models:
 coupling: {smoothing: 8 mm}
 time: {end: 100 ms, dt: 1e-6 s, gas_dt: 20 us}
 output: {vtk: none, monitors: every 1 ms, profiles: {z: 20 mm}}
-)").scene;
+)")
+                            .scene;
   EXPECT_EQ(bed.title, "spout");
   EXPECT_EQ(bed.cell, (std::array{0.005, 0.01, 0.004}));
   EXPECT_EQ(bed.gas_viscosity, 1.8e-5);
@@ -180,12 +184,14 @@ TEST(CaseFile, ParametersStandInTheOrderOfThePluginsTable) {
   ASSERT_EQ(contact.parameters.size(), 11u);
   EXPECT_EQ(contact.parameters[0].name, "stiffness");
   EXPECT_EQ(contact.parameters[0].scales_as, SIMILITUDE_SCALES_AS_STIFFNESS);
-  EXPECT_TRUE(std::isnan(contact.parameters[4].real));   // no default: not given
+  EXPECT_TRUE(std::isnan(contact.parameters[4].real));  // no default: not given
   EXPECT_EQ(contact.parameters[9].text, "history");
 }
 
 TEST(CaseFile, AHeightMayStandForACount) {
-  const RealScene bed = read_text_case(example_with(", count: 461000}}\n  bed:       {fill: settle}", "}}\n  bed: {height: 140 mm}")).scene;
+  const RealScene bed =
+      read_text_case(example_with(", count: 461000}}\n  bed:       {fill: settle}", "}}\n  bed: {height: 140 mm}"))
+          .scene;
   EXPECT_EQ(bed.bed.height, 0.14);
   EXPECT_FALSE(bed.particles[0].count);
 }
@@ -193,7 +199,8 @@ TEST(CaseFile, AHeightMayStandForACount) {
 TEST(CaseFile, ABedIsReadFromAFileNextToTheCase) {
   const CaseFolder folder;
   const auto grains = folder.write("bed.csv", "x,y,z\n");
-  const auto file = folder.write("spout.yaml", example_with("{fill: settle}", "{fill: file, file: bed.csv}"));
+  const auto file = folder.write("spout.yaml", example_with(", count: 461000}}\n  bed:       {fill: settle}",
+                                                            "}}\n  bed: {fill: file, file: bed.csv}"));
   EXPECT_EQ(read_case(file, fake_catalogue()).scene.bed.file, grains.string());
 }
 
@@ -207,21 +214,24 @@ TEST(CaseFile, WhatIsUnusualIsAWarningWithItsPlace) {
   const auto warnings = read_text_case(k_example, {"models.contact.stiffness=5 N/m"}).warnings;
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_EQ(warnings[0],
-            "--set: models.contact.stiffness: 5 N/m is unusual: stiffness of linear_spring is mostly from 10 N/m to 1e+06 N/m.");
+            "--set: models.contact.stiffness: 5 N/m is unusual: stiffness of linear_spring is mostly from 10 N/m to "
+            "1e+06 N/m.");
 }
 
 TEST(CaseFile, ATightFitIsAWarning) {
   const auto warnings = read_text_case(k_example, {"scene.particles.alumina.count=3000000"}).warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0],
-            "--set: scene.particles.alumina.count: these particles may not fit: the bed will be 818.123 mm to 1047.2 mm high "
-            "(solids fraction 0.64 to 0.5) in a domain of 1000 mm.");
+  EXPECT_EQ(
+      warnings[0],
+      "--set: scene.particles.alumina.count: these particles may make a bed higher than the domain of 1000 mm: "
+      "818.123 mm to 1047.2 mm (solids fraction 0.64 to 0.5).");
 }
 
 TEST(Set, ReplacesAddsAndReachesIntoLists) {
-  const RealScene bed = read_text_case(k_example, {"models.scaling.geometry=0.5", "time.dt=1 us", "scene.domain.size.2=1.2 m",
-                                                   "output.profiles={z: [50 mm]}", "models.effects=[]", "coupling.smoothing=9 mm"})
-                            .scene;
+  const RealScene bed =
+      read_text_case(k_example, {"models.scaling.geometry=0.5", "time.dt=1 us", "scene.domain.size.2=1.2 m",
+                                 "output.profiles={z: [50 mm]}", "models.effects=[]", "coupling.smoothing=9 mm"})
+          .scene;
   EXPECT_EQ(parameter(bed.models.scaling, "geometry"), 0.5);
   EXPECT_EQ(bed.time.dt, 1e-6);
   EXPECT_EQ(bed.size[2], 1.2);
@@ -278,7 +288,8 @@ void expect_same(const RealScene& a, const RealScene& b) {
 }
 
 TEST(ResolvedCase, IsACaseThatReadsAsTheSameBed) {
-  const CaseFile first = read_text_case(k_example, {"time.dt=1.1 us", "coupling.smoothing=8.5 mm", "models.scaling.stiffness=61.7 N/m"});
+  const CaseFile first =
+      read_text_case(k_example, {"time.dt=1.1 us", "coupling.smoothing=8.5 mm", "models.scaling.stiffness=61.7 N/m"});
   const CaseFile again = read_text_case(first.resolved);
   expect_same(first.scene, again.scene);
   EXPECT_EQ(again.resolved, first.resolved);
@@ -295,7 +306,8 @@ TEST(ResolvedCase, HoldsTheDefaults) {
 TEST(ShippedCases, DifferInTheScalingOnly) {
   const std::filesystem::path folder = SIMILITUDE_CONFIGS;
   const CaseFile exact = read_case(folder / "spouted_bed/exact.yaml", fake_catalogue());
-  const CaseFile scaled = read_case(folder / "spouted_bed/terminal_velocity.yaml", fake_catalogue(), {"models.scaling=exact"});
+  const CaseFile scaled =
+      read_case(folder / "spouted_bed/terminal_velocity.yaml", fake_catalogue(), {"models.scaling=exact"});
   EXPECT_EQ(exact.resolved, scaled.resolved);
   const CaseFile as_shipped = read_case(folder / "spouted_bed/terminal_velocity.yaml", fake_catalogue());
   EXPECT_EQ(as_shipped.scene.models.scaling.id, "terminal_velocity");

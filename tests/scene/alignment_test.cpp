@@ -30,7 +30,8 @@ TEST(Alignment, ScalesWithPowersOfTwo) {
 }
 
 TEST(Alignment, TextsNameFacesAndWhatToType) {
-  EXPECT_EQ(off_face_text(67.5 * mm, 5 * mm), "67.5 mm is not on a cell face (cells of 5 mm, faces at 65 mm and 70 mm).");
+  EXPECT_EQ(off_face_text(67.5 * mm, 5 * mm),
+            "67.5 mm is not on a cell face (cells of 5 mm, faces at 65 mm and 70 mm).");
   EXPECT_EQ(off_face_fix(Interval{67.5 * mm, 80 * mm}, 5 * mm),
             "Use [65 mm, 80 mm] or [70 mm, 80 mm], or set scene.domain.cell: 2.5 mm.");
   EXPECT_EQ(off_face_fix(Interval{70 * mm, 82 * mm}, 5 * mm),

@@ -1,1 +1,0 @@
-// libsimilitude is the framework's parts as one shared library; it has no code of its own.
