@@ -3,7 +3,8 @@
 /// template over it and is written once. What differs from plain C++: there is no `if` on a Pack, use select().
 ///
 /// sqrt, exp, log, pow, abs, min and max have the same names for both. exp, log and pow go lane by lane through the
-/// standard library, so a lane's result never depends on its neighbours.
+/// standard library, so a lane's result never depends on its neighbours. Laws use these and select(), not the library's
+/// where().
 
 #include <cmath>
 
@@ -50,9 +51,15 @@ SIMILITUDE_INLINE Pack max(const Pack& a, const Pack& b) { return std::experimen
 /// `yes` where the condition holds, `no` elsewhere. Both are evaluated.
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 SIMILITUDE_INLINE Pack select(const Mask& condition, const Pack& yes, const Pack& no) {
+#if defined(__clang__) && defined(__AVX512F__)
+  // Here libstdc++ 12's where() takes all lanes or none (simd_x86.h: "this does a boolean choice, not a blend").
+  const auto lanes = static_cast<__mmask8>(condition.__to_bitset().to_ulong());
+  return Pack(_mm512_mask_blend_pd(lanes, static_cast<__m512d>(no), static_cast<__m512d>(yes)));
+#else
   Pack chosen = no;
   where(condition, chosen) = yes;
   return chosen;
+#endif
 }
 template <class M, class V>
 SIMILITUDE_INLINE Vec3<V> select(const M& condition, const Vec3<V>& yes, const Vec3<V>& no) {

@@ -1,0 +1,150 @@
+// What must not change a bit: the number of threads, a restart, units scaled by powers of two.
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "gas_run.h"
+
+namespace similitude {
+namespace {
+
+using test::Box;
+using test::GasRun;
+using test::u;
+
+/// Ratios of a scaled bed, all powers of two.
+struct Units {
+  double length = 1, time = 1, viscosity = 1, exchange = 1;
+  double velocity() const { return length / time; }
+};
+
+/// A spout between plates in a bed that breathes.
+struct Spout {
+  explicit Spout(std::array<int, 3> cells = {13, 3, 37}, Units ratios = {}, double spacing = 0.005)
+      : units(ratios),
+        box({.cells = cells, .spacing = {spacing * units.length, spacing * units.length, spacing * units.length}}) {
+    const auto [nx, ny, nz] = cells;
+    const std::uint8_t background = box.velocity_patch("background", {0, 0, 0.46 * units.velocity()}, 0.004 * units.time);
+    const std::uint8_t spout = box.velocity_patch("spout", {0, 0, 6.5 * units.velocity()}, 0.004 * units.time);
+    box.set_side(2, 0, background);
+    box.set_faces(2, 0, {nx / 2 - 1, 0, 0}, {nx / 2 + 1, ny, 0}, spout);
+    box.set_side(2, 1, box.pressure_patch("outlet", 0));
+    for (const int plate : {2 * nx / 5, 3 * nx / 5}) box.set_faces(0, plate, {0, 0, 3}, {0, ny, nz / 4}, SIMILITUDE_FACE_NO_SLIP);
+  }
+
+  GasRun run() const {
+    return GasRun(box, {.density = 1.225, .viscosity = 1.79e-5 * units.viscosity, .tolerance = 1e-7});
+  }
+
+  void step(GasRun& gas, int n, double dt = 5e-4) const {
+    const Index nx = gas.mesh.cells[0], nz = gas.mesh.cells[2];
+    for (Index c = 0; c < gas.mesh.cell_count; ++c) {
+      const bool bed = c / (nx * gas.mesh.cells[1]) < nz / 3;
+      gas.gas_fraction[u(c)] = bed ? 0.5 + 0.04 * std::sin(0.2 * n + static_cast<double>(c % nx)) : 0.99;
+      gas.exchange[u(c)] = (bed ? 5500 : 30) * units.exchange;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const std::size_t row = a * u(gas.mesh.cell_count) + u(c);
+        gas.exchange_velocity[row] = gas.exchange[u(c)] * 0.1 * units.velocity() * std::sin(static_cast<double>(c) + 0.1 * n);
+      }
+    }
+    if (n == 0) gas.gas_fraction_old = gas.gas_fraction;
+    gas.advance(dt * units.time);
+  }
+
+  Units units;
+  Box box;
+};
+
+TEST(VansBits, AreTheSameForAnyNumberOfThreads) {
+  const int before = omp_get_max_threads();
+  std::vector<std::vector<double>> velocities, pressures;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    const Spout spout({13, 4, 97});  // large enough that work is shared
+    GasRun gas = spout.run();
+    for (int n = 0; n < 10; ++n) spout.step(gas, n);
+    velocities.push_back(gas.velocity);
+    pressures.push_back(gas.pressure);
+  }
+  omp_set_num_threads(before);
+  for (const std::size_t other : {1u, 2u}) {
+    EXPECT_EQ(velocities[0], velocities[other]);
+    EXPECT_EQ(pressures[0], pressures[other]);
+  }
+}
+
+TEST(VansBits, SurviveARestart) {
+  const Spout spout;
+  GasRun through = spout.run();
+  std::vector<double> state;
+  for (int n = 0; n < 12; ++n) {
+    if (n == 6) break;
+    spout.step(through, n);
+  }
+  state.resize(through.solver.state_size());
+  through.solver.save(state.data());
+  GasRun resumed = spout.run();
+  resumed.solver.load(state.data());
+  resumed.time = through.time;
+  resumed.gas_fraction_old = through.gas_fraction_old;
+  resumed.velocity = through.velocity;
+  resumed.pressure = through.pressure;
+  for (int n = 6; n < 12; ++n) {
+    spout.step(through, n);
+    spout.step(resumed, n);
+  }
+  EXPECT_EQ(through.velocity, resumed.velocity);
+  EXPECT_EQ(through.pressure, resumed.pressure);
+  EXPECT_EQ(through.stress_force, resumed.stress_force);
+}
+
+// The exact scaling law at r = 1/4: length r, time and velocity r^1/2, viscosity r^3/2, pressure r, drag r^-1/2.
+TEST(VansBits, AreKeptByABedScaledByPowersOfTwo) {
+  const Spout real, model({13, 3, 37}, {.length = 0.25, .time = 0.5, .viscosity = 0.125, .exchange = 2});
+  GasRun in_real = real.run(), in_model = model.run();
+  for (int n = 0; n < 15; ++n) {
+    real.step(in_real, n);
+    model.step(in_model, n);
+    ASSERT_EQ(in_real.report.iterations, in_model.report.iterations);
+  }
+  for (std::size_t row = 0; row < in_real.velocity.size(); ++row) {
+    ASSERT_EQ(in_real.velocity[row] * 0.5, in_model.velocity[row]) << row;
+    ASSERT_EQ(in_real.stress_force[row], in_model.stress_force[row]) << row;
+  }
+  for (std::size_t row = 0; row < in_real.pressure.size(); ++row) ASSERT_EQ(in_real.pressure[row] * 0.25, in_model.pressure[row]);
+  EXPECT_EQ(in_real.report.mass_residual, in_model.report.mass_residual);
+  EXPECT_EQ(in_real.report.courant, in_model.report.courant);
+}
+
+TEST(VansSizes, MayBeOddOrASingleCell) {
+  for (const std::array<int, 3> cells : {std::array{7, 1, 13}, std::array{5, 3, 9}, std::array{31, 1, 5}}) {
+    const Spout spout(cells);
+    GasRun gas = spout.run();
+    for (int n = 0; n < 10; ++n) {
+      spout.step(gas, n, 2e-4);
+      EXPECT_LT(gas.report.mass_residual, 1.1e-7);
+    }
+  }
+}
+
+TEST(VansSpeed, IsAFewMillisecondsForTheSpoutedBedOf24000Cells) {
+  const Spout spout({30, 4, 200});
+  GasRun gas = spout.run();
+  double best = 1;
+  int iterations = 0;
+  for (int n = 0; n < 30; ++n) {
+    const auto begin = std::chrono::steady_clock::now();
+    spout.step(gas, n, 3e-4);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    iterations = std::max(iterations, gas.report.iterations);
+  }
+  std::printf("24 000 cells: %.2f ms a step with %d threads, at most %d iterations, Courant number %.2f\n", best * 1e3,
+              omp_get_max_threads(), iterations, gas.report.courant);
+  EXPECT_LE(iterations, 14);
+}
+
+}  // namespace
+}  // namespace similitude
