@@ -40,8 +40,9 @@ FaceBox patch_faces(const FaceRuler& ruler, const Patch& patch) {
   for (int across = 0; across < 3; ++across) {
     if (across == axis) continue;
     const std::size_t c = static_cast<std::size_t>(across);
-    const CellRange range = ruler.range(across, patch.extent[c], patch.mark, "scene.patches." + patch.name + "." + axis_name(across),
-                                        "the " + face_name(patch.face) + " face");
+    const CellRange range =
+        ruler.range(across, patch.extent[c], patch.mark, "scene.patches." + patch.name + "." + axis_name(across),
+                    "the " + face_name(patch.face) + " face");
     box.low[c] = range.low;
     box.high[c] = range.high;
   }

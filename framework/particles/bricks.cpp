@@ -11,8 +11,8 @@ namespace similitude {
 
 namespace {
 
-// Measured on 20 000 and 460 000 spheres: bricks this large keep few contacts across bricks, and their rows, lists and
-// history stay in a core's second-level cache.
+// Some thousand spheres to a brick: few of their contacts cross to another, and rows, lists and history together stay
+// in a core's second-level cache. There must be several bricks to a thread.
 constexpr std::uint32_t k_cells_across = 8;
 constexpr std::uint32_t k_cells_deep = 24;   // a shallow bed is one brick deep
 

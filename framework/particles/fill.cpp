@@ -55,6 +55,18 @@ void refuse_if_too_many(const ModelScene& scene, double needed) {
                    "Fewer particles, or a higher domain.");
 }
 
+void refuse_if_too_large(const ModelScene& scene) {
+  for (const ParticleClass& type : scene.particles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (scene.size[axis] >= type.diameter) continue;
+      throw InputError(scene.bed.mark, "scene.bed",
+                       "particles " + type.name + " of " + in_mm(type.diameter) + " do not fit into a domain that is " +
+                           in_mm(scene.size[axis]) + " wide along " + "xyz"[axis] + " (simulated bed).",
+                       "Smaller particles, a milder scaling, or a larger domain.");
+    }
+  }
+}
+
 /// The rows by id, without those that reach above `height`.
 std::vector<CachedParticle> below(const ParticleStore& settled, double height) {
   std::vector<std::uint32_t> row_of(settled.size());
@@ -75,6 +87,7 @@ std::vector<CachedParticle> settled_bed(const ModelScene& scene, const ContactMo
     throw InputError(scene.bed.mark, "scene.bed", "a bed settles under gravity, but gravity does not point down.",
                      "Write bed: {fill: lattice}, or give scene.gravity a negative third value.");
   }
+  refuse_if_too_large(scene);
   const Places places = crowded_places(scene, classes);
   double top = 0;
   ParticleStore particles(StoreFields{.rotation = rotation, .coupling = false});

@@ -134,12 +134,14 @@ Places crowded_places(const ModelScene& scene, const std::vector<std::uint32_t>&
     const double d = scene.particles[c].diameter;
     volume += std::numbers::pi / 6 * (d * d * d);
   }
-  const Surfaces surfaces(without_openings(scene));
   const double each = volume / static_cast<double>(classes.size()) / k_crowded_fraction;   // [m^3], room per particle
   const double spacing = std::cbrt(each);
   const int rows = std::max(1, static_cast<int>(std::lround(scene.size[1] / spacing)));
   const double row = scene.size[1] / rows;
   const double along = each / (row * spacing);   // [m], between neighbours of a row
+  ModelScene tall = without_openings(scene);   // whoever asks finds out how high the bed would be
+  tall.size[2] += 4 * static_cast<double>(classes.size()) * each / (scene.size[0] * scene.size[1]);
+  const Surfaces surfaces(tall);
   const double margin = k_loose_at_wall * std::cbrt(each * k_crowded_fraction * 6 / std::numbers::pi);   // [m]
 
   Places places;

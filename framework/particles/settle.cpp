@@ -16,8 +16,8 @@ constexpr double k_at_rest = 2e-4;              // [-], agitation of a resting b
 constexpr double k_soft_overlap = 0.004;        // [-], of a diameter, at the bottom of the softened bed
 constexpr double k_steps_per_contact = 15;      // while settling
 constexpr double k_worth_softening = 0.7;       // [-], a stiffness factor above it saves no time
-constexpr double k_parting_times = 20;          // [-], contact times in which crowded neighbours push each other apart
-constexpr double k_listening_times = 20;        // [-], contact times before a calm bed is believed
+constexpr double k_stiffer_per_rung = 8;        // [-], about, on the way back to the case's stiffness
+constexpr double k_listening_times = 20;       // [-], contact times before a calm bed is believed
 constexpr std::int64_t k_steps_between_looks = 50;
 constexpr std::int64_t k_most_steps = 1000000;  // of one phase; a bed takes some thousand
 
@@ -139,21 +139,29 @@ std::int64_t settle(ParticleStore& particles, const ModelScene& scene, const Con
   const bool soften = options.softer_law && softness < k_worth_softening;
   const ContactModel softened = soften ? options.softer_law(softness) : ContactModel();
   const ContactModel& soft = soften ? softened : law;
-  const double contact = scale.contact_time(soft);   // [s]
-  const double dt = std::min(contact / k_steps_per_contact, scale.largest_stable_step(soft) / 2);
+  const auto step = [&](const ContactModel& spring) {
+    return std::min(scale.contact_time(spring) / k_steps_per_contact, scale.largest_stable_step(spring) / 2);
+  };
+  const auto listening = [&](const ContactModel& spring) { return k_listening_times * scale.contact_time(spring); };
 
   // Neighbours part without flying: their motion is overdamped. Then the bed falls the little way to its packing, braked at
   // the pace of a fall by one diameter: less and it bounces, more and it sinks like honey.
-  const double overdamped = 10 * std::numbers::pi / contact;                // [1/s]
-  const double braked = std::sqrt(scale.gravity / scale.diameter);      // [1/s]
-  settling.until_calm(soft, {"parting neighbours", dt, overdamped, k_parting_times * contact, HUGE_VAL, 0, 0.1});
-  settling.until_calm(soft, {"settling", dt, braked, k_listening_times * contact, k_at_rest / 2, 0.1, 0.7});
+  const double overdamped = 10 * std::numbers::pi / scale.contact_time(soft);   // [1/s]
+  const double braked = std::sqrt(scale.gravity / scale.diameter);              // [1/s]
+  settling.until_calm(soft, {"parting neighbours", step(soft), overdamped, listening(soft), HUGE_VAL, 0, 0.1});
+  settling.until_calm(soft, {"settling", step(soft), braked, listening(soft), k_at_rest / 2, 0.1, 0.6});
   stop(particles);
-  // Stiff springs release what the soft ones stored, and at last nothing but the law itself holds the bed.
-  const double listening = k_listening_times * scale.contact_time(law);
-  settling.until_calm(law, {"changing to the case's stiffness", options.dt, braked, listening, k_at_rest, 0.7, 0.9});
+  // Stiffer springs release what softer ones stored: rung by rung, while steps are still long.
+  const int rungs = soften ? std::max(1, static_cast<int>(std::lround(-std::log(softness) / std::log(k_stiffer_per_rung)))) : 1;
+  for (int rung = 1; rung < rungs; ++rung) {
+    const ContactModel stiffer = options.softer_law(std::pow(softness, 1 - static_cast<double>(rung) / rungs));
+    settling.until_calm(stiffer, {"stiffening", step(stiffer), braked, listening(stiffer), k_at_rest, 0.6, 0.7});
+    stop(particles);
+  }
+  settling.until_calm(law, {"changing to the case's stiffness", options.dt, braked, listening(law), k_at_rest, 0.7, 0.9});
   stop(particles);
-  settling.until_calm(law, {"coming to rest", options.dt, 0, listening, k_at_rest, 0.9, 1});
+  // At last nothing but the law itself holds the bed.
+  settling.until_calm(law, {"coming to rest", options.dt, 0, listening(law), k_at_rest, 0.9, 1});
   stop(particles);
   return settling.sub_steps();
 }

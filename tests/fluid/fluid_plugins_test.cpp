@@ -46,7 +46,8 @@ std::vector<similitude_value> defaults(const similitude_descriptor& descriptor) 
 }
 
 struct Fields {
-  explicit Fields(std::size_t cells) : fraction(cells, 1), zero(3 * cells, 0), velocity(3 * cells, 7), pressure(cells, 7), stress(3 * cells, 7) {}
+  explicit Fields(std::size_t cells)
+      : fraction(cells, 1), zero(3 * cells, 0), velocity(3 * cells, 7), pressure(cells, 7), stress(3 * cells, 7) {}
   similitude_gas_step row(double dt) {
     return {sizeof(similitude_gas_step), 0, dt, dt, fraction.data(), fraction.data(), zero.data(), zero.data(),
             zero.data(), velocity.data(), pressure.data(), stress.data()};

@@ -133,7 +133,8 @@ TEST(Grid, RefusesBafflesBetweenFacesAndOutside) {
   RealScene scene = bed();
   scene.baffles[0].position = 0.062;
   EXPECT_EQ(refusal(scene),
-            "spout.yaml:18:12: scene.baffles.plates.at_x: 62 mm is not on a cell face (cells of 5 mm, faces at 60 mm and 65 mm).\n"
+            "spout.yaml:18:12: scene.baffles.plates.at_x: 62 mm is not on a cell face "
+            "(cells of 5 mm, faces at 60 mm and 65 mm).\n"
             "  Use 60 mm or 65 mm, or set scene.domain.cell: 1 mm.");
   scene.baffles[0].position = 0.15;
   EXPECT_EQ(refusal(scene),

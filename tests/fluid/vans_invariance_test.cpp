@@ -130,7 +130,7 @@ TEST(VansSizes, MayBeOddOrASingleCell) {
   }
 }
 
-TEST(VansSpeed, IsAFewMillisecondsForTheSpoutedBedOf24000Cells) {
+TEST(VansPressure, TakesAFewIterationsInTheSpoutedBedOf24000Cells) {
   const Spout spout({30, 4, 200});
   GasRun gas = spout.run();
   double best = 1;

@@ -171,8 +171,8 @@ TEST(ContactLaw, HasNoPreferredDirection) {
     evaluate(law, oblique);
     for (std::size_t row = 0; row < 64; ++row) {
       const Vec3<double> expected = turned(straight.force.get(row)), difference = oblique.force.get(row) - expected;
-      // Spring and dashpot may nearly cancel: the scale is the largest force a row can have.
-      EXPECT_LT(std::sqrt(dot(difference, difference)), 1e-13 * 500 * 2e-5 * 100) << row;
+      // Spring and dashpot may nearly cancel: a share of the largest spring force, 500 N/m times 2e-5 m.
+      EXPECT_LT(std::sqrt(dot(difference, difference)), 1e-12 * 500 * 2e-5) << row;
     }
   }
 }

@@ -8,7 +8,7 @@ template <Advection scheme>
 void carry_with(const Component& component, std::size_t direction, const double* velocity, const double* flux, double* out) {
   const Site* const sites = component.sites[direction].data();
   const Index count = static_cast<Index>(component.sites[direction].size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for simd schedule(static)
   for (Index n = 0; n < count; ++n) {
     const Site& s = sites[n];
     const double mean_flux = 0.5 * (flux[s.flux[0]] + flux[s.flux[1]]);
@@ -17,7 +17,7 @@ void carry_with(const Component& component, std::size_t direction, const double*
     const bool upward = mean_flux > 0;
     double carried = upward ? below : above;
     if constexpr (scheme == Advection::tvd) {
-      const double back = upward ? below - velocity[s.far_below] : above - velocity[s.far_above];
+      const double back = carried - velocity[upward ? s.far_below : s.far_above];
       carried += limited_half_step(back, upward ? across : -across);
     }
     out[n] = mean_flux * carried;

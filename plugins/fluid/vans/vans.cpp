@@ -58,4 +58,5 @@ struct Vans {
 }  // namespace
 
 SIMILITUDE_FLUID_SOLVER(Vans, "vans", "1.0.0", "Volume-averaged Navier-Stokes, incompressible, model A", nullptr,
-                        "Anderson & Jackson 1967, Ind. Eng. Chem. Fundam. 6, 527; Gidaspow 1994, Multiphase Flow and Fluidization")
+                        "Anderson & Jackson 1967, Ind. Eng. Chem. Fundam. 6, 527; Gidaspow 1994, Multiphase Flow and "
+                        "Fluidization")

@@ -40,7 +40,9 @@ std::vector<Point> ghia(const char* component, int reynolds) {
 double between_cells(const std::vector<double>& values, double position, double low_wall, double high_wall) {
   const double where = position * k_cells - 0.5;
   const int cell = static_cast<int>(std::floor(where));
-  const auto value = [&](int n) { return n < 0 ? 2 * low_wall - values[0] : n >= k_cells ? 2 * high_wall - values[k_cells - 1] : values[u(n)]; };
+  const auto value = [&](int n) {
+    return n < 0 ? 2 * low_wall - values[0] : n >= k_cells ? 2 * high_wall - values[k_cells - 1] : values[u(n)];
+  };
   const double share = where - cell;
   return (1 - share) * value(cell) + share * value(cell + 1);
 }

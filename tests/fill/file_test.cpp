@@ -1,0 +1,197 @@
+/// Beds from files: CSV, LAMMPS data, VTP; what is wrong is said with file and line.
+
+#include <gtest/gtest.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include "bed_of_springs.h"
+#include "particles/particle_file.h"
+#include "scene/messages.h"
+
+namespace similitude::test {
+namespace {
+
+class ParticleFile : public ::testing::Test {
+ protected:
+  std::string refusal(const std::string& name, const std::string& text) {
+    const std::string file = folder.write(name, text);
+    try {
+      read_particle_file(file);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      const std::size_t at = what.find(file);
+      return at == std::string::npos ? what : what.substr(0, at) + name + what.substr(at + file.size());
+    }
+    return "no error";
+  }
+  ScratchFolder folder;
+};
+
+TEST_F(ParticleFile, CsvGivesPlacesVelocitiesDiametersAndDensities) {
+  const auto read = read_particle_file(folder.write("bed.csv",
+                                                    "# poured on Monday\n"
+                                                    "x [m], y,z ,vx,vy,vz [m/s],radius,density\n"
+                                                    "0.001,0.002,0.003,1,-2,+3,5e-4,1040\r\n"
+                                                    "\n"
+                                                    "0.004,0.005,0.006,0,0,0,6e-4,2500\n"));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].position, (std::array<double, 3>{0.001, 0.002, 0.003}));
+  EXPECT_EQ(read[0].velocity, (std::array<double, 3>{1, -2, 3}));
+  EXPECT_EQ(read[0].diameter, 2 * 5e-4);
+  EXPECT_EQ(read[1].density, 2500);
+  EXPECT_EQ(read[1].line, 5);
+}
+
+TEST_F(ParticleFile, CsvNeedsNothingButPlaces) {
+  const auto read = read_particle_file(folder.write("bed.csv", "x,y,z\n1,2,3\n"));
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_FALSE(read[0].diameter);
+  EXPECT_EQ(read[0].velocity, (std::array<double, 3>{0, 0, 0}));
+}
+
+TEST_F(ParticleFile, CsvErrorsNameFileLineAndWhatWasExpected) {
+  EXPECT_EQ(refusal("bed.csv", "x,y,z\n1,2,3\n1,2\n"), "bed.csv:3: expected 3 values as in the header, found 2.");
+  EXPECT_EQ(refusal("bed.csv", "x,y,z\n1,two,3\n"), "bed.csv:2: expected a number for y, found \"two\".");
+  EXPECT_EQ(refusal("bed.csv", "x,y,z,diameter\n1,2,3,0\n"), "bed.csv:2: expected a diameter greater than 0, found 0.");
+  EXPECT_EQ(refusal("bed.csv", "x,y,z\n1,2,nan\n"), "bed.csv:2: expected a number for z, found \"nan\".");
+  EXPECT_EQ(refusal("bed.csv", "x,y,height\n"),
+            "bed.csv:1: expected a header with the column z, found \"x,y,height\".\n"
+            "  The first line names the columns: x,y,z and any of vx,vy,vz,diameter (or radius),density.");
+  EXPECT_EQ(refusal("bed.csv", "x [mm],y,z\n"), "bed.csv:1: column \"x [mm]\" is read in [m] only.");
+  EXPECT_EQ(refusal("bed.csv", ""), "bed.csv: expected a header x,y,z,…, but the file is empty.");
+}
+
+TEST_F(ParticleFile, LammpsDataGivesTypesDiametersAndVelocities) {
+  const auto read = read_particle_file(folder.write("bed.data",
+                                                    "LAMMPS data file via write_data, version 29 Sep 2021\n\n"
+                                                    "2 atoms\n1 atom types\n\n0 0.15 xlo xhi\n0 0.02 ylo yhi\n0 1 zlo zhi\n\n"
+                                                    "Atoms # sphere\n\n"
+                                                    "7 1 0.001 1040 0.01 0.002 0.003 0 0 0\n"
+                                                    "3 2 0.002 2500 0.02 0.004 0.006 0 0 0\n\n"
+                                                    "Velocities\n\n3 1 2 3 0 0 0\n7 0 0 0.5 0 0 0\n"));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].diameter, 0.001);
+  EXPECT_EQ(read[0].velocity[2], 0.5);
+  EXPECT_EQ(read[1].type, 2);
+  EXPECT_EQ(read[1].position[0], 0.02);
+  EXPECT_EQ(read[1].velocity[0], 1);
+}
+
+TEST_F(ParticleFile, LammpsErrorsNameFileLineAndWhatWasExpected) {
+  EXPECT_EQ(refusal("bed.data", "title\n\n1 atoms\n\nAtoms # atomic\n\n1 1 0 0 0\n"),
+            "bed.data:5: expected atoms of style sphere, found style atomic.\n  Write the file with atom_style sphere.");
+  EXPECT_EQ(refusal("bed.data", "title\n\nAtoms\n\n1 1 0 0 0\n"),
+            "bed.data:5: expected id type diameter density x y z (and possibly three image counts), found 5 values.\n"
+            "  Write the file with atom_style sphere.");
+  EXPECT_EQ(refusal("bed.data", "title\n\nAtoms\n\n1 1 1e-3 1040 0 0 0\n1 1 1e-3 1040 0 0 0\n"),
+            "bed.data:6: atom 1 was given before.");
+  EXPECT_EQ(refusal("bed.data", "title\n\n2 atoms\n\nAtoms\n\n1 1 1e-3 1040 0 0 0\n"),
+            "bed.data: the header promises 2 atoms, the section Atoms has 1.");
+  EXPECT_EQ(refusal("bed.data", "title\n"),
+            "bed.data: expected a section Atoms, found none.\n  Is this a LAMMPS data file (write_data)?");
+}
+
+TEST_F(ParticleFile, VtpGivesWhatOurOwnOutputHolds) {
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(0.01, 0.02, 0.03);
+  data->SetPoints(points);
+  const auto add = [&](const char* name, int components, std::array<double, 3> values) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->InsertNextTuple(values.data());
+    data->GetPointData()->AddArray(array);
+  };
+  add("velocity [m/s]", 3, {1, 2, 3});
+  add("diameter [m]", 1, {0.001, 0, 0});
+  add("density", 1, {1040, 0, 0});
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  const std::string file = folder.path() + "/bed.vtp";
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(data);
+  ASSERT_EQ(writer->Write(), 1);
+  const auto read = read_particle_file(file);
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(read[0].position, (std::array<double, 3>{0.01, 0.02, 0.03}));
+  EXPECT_EQ(read[0].velocity, (std::array<double, 3>{1, 2, 3}));
+  EXPECT_EQ(read[0].diameter, 0.001);
+  EXPECT_EQ(read[0].density, 1040);
+}
+
+TEST_F(ParticleFile, VtpThatIsNoneIsRefused) {
+  EXPECT_EQ(refusal("bed.vtp", "x,y,z\n"),
+            "bed.vtp: expected a VTK XML PolyData file (.vtp).\n  In ParaView: Save Data, as *.vtp.");
+}
+
+TEST_F(ParticleFile, OfUnknownKindIsRefused) {
+  EXPECT_EQ(refusal("bed.xyz", ""),
+            "particles cannot be read from bed.xyz: its kind is not known by its name.\n"
+            "  Use .csv, .vtp, or .data, .lmp or .lammps for LAMMPS data.");
+}
+
+class FillFromFile : public ParticleFile {
+ protected:
+  ModelScene scene(const std::string& name, const std::string& text) {
+    ModelScene bed = small_bed(0);
+    bed.bed.kind = FillKind::file;
+    bed.bed.file = folder.write(name, text);
+    return bed;
+  }
+  std::string refusal_of(const ModelScene& bed) {
+    ParticleStore particles = empty_store();
+    try {
+      fill_bed(particles, bed, law, FillOptions{});
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder.path().size() + 1);
+    }
+    return "no error";
+  }
+  ContactModel law = spring_law(k_stiffness);
+};
+
+TEST_F(FillFromFile, ScalesTheRealBedsLengthsSpeedsAndDensities) {
+  const ModelScene bed = scene("bed.csv", "x,y,z,vz,diameter,density\n0.008,0.004,0.012,2,0.001,1000\n");
+  ParticleStore particles = empty_store();
+  FillOptions options;
+  options.length_ratio = 0.25;
+  options.diameter_ratio = 0.5;
+  options.velocity_ratio = 0.5;
+  options.density_ratio = 2;
+  fill_bed(particles, bed, law, options);
+  ASSERT_EQ(particles.size(), 1u);
+  EXPECT_EQ(particles.position[0].x, 0.002);
+  EXPECT_EQ(particles.position[0].w, 0.00025);
+  EXPECT_EQ(particles.velocity[0].z, 1);
+  EXPECT_DOUBLE_EQ(particles.velocity[0].w, 2000 * 3.141592653589793 / 6 * std::pow(0.0005, 3));
+}
+
+TEST_F(FillFromFile, TakesTheClassNearestInSizeOrTheType) {
+  ModelScene bed = scene("bed.csv", "x,y,z,diameter\n0.001,0.001,0.001,0.0011\n0.004,0.001,0.001,0.0019\n");
+  bed.particles.push_back(bed.particles[0]);
+  bed.particles[1].diameter = 2e-3;
+  ParticleStore particles = empty_store();
+  fill_bed(particles, bed, law, FillOptions{});
+  EXPECT_EQ(particles.species[0], 0u);
+  EXPECT_EQ(particles.species[1], 1u);
+}
+
+TEST_F(FillFromFile, RefusesWhatIsOutsideTheDomainOrOfNoClass) {
+  EXPECT_EQ(refusal_of(scene("bed.csv", "x,y,z\n0.001,0.001,0.07\n")),
+            "bed.csv:2: z = 70 mm is outside the domain, 0 to 60 mm.\n  Positions are in metres of the real bed.");
+  ModelScene two = scene("bed.csv", "x,y,z\n0.001,0.001,0.001\n");
+  two.particles.push_back(two.particles[0]);
+  EXPECT_EQ(refusal_of(two),
+            "bed.csv:2: which of the 2 classes of particles is this?\n  Add a column diameter or density to the file.");
+  two = scene("bed.data", "t\n\nAtoms\n\n1 3 0.001 1040 0.001 0.001 0.001\n");
+  two.particles.push_back(two.particles[0]);
+  EXPECT_EQ(refusal_of(two), "bed.data:5: atom type 3, but the scene has 2 classes of particles.");
+}
+
+}  // namespace
+}  // namespace similitude::test
