@@ -16,7 +16,7 @@ namespace similitude {
 
 struct EngineOptions {
   double dt = 0;                               // [s]
-  std::array<double, 3> gravity{};             // [m/s^2], already with buoyancy if there is a gas
+  std::array<double, 3> gravity{};             // [m/s^2]; buoyancy comes with stress_force
   double skin = 0;                             // [m], 0: from the largest diameter and how often lists were rebuilt
   double velocity_damping = 0;                 // [1/s], for settling only
 };

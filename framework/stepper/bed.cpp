@@ -12,6 +12,8 @@ StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
   const FillOptions options{.dt = steps.dt,
                             .length_ratio = assembly.ratios.length,
                             .diameter_ratio = assembly.ratios.diameter,
+                            .density_ratio = assembly.ratios.particle_density,
+                            .velocity_ratio = assembly.ratios.velocity,
                             .softer_law = [&assembly](double factor) { return softened_contact(assembly, factor); },
                             .progress = std::move(progress),
                             .cache_folder = cache_folder_of_beds()};
