@@ -9,7 +9,11 @@ constexpr DiFelice k_law{.exponent = 3.7, .dip = 0.65};
 
 /// Spheres of 1 mm in air, at a gas fraction and a slip speed [m/s].
 similitude::DragState<double> spheres(double gas_fraction, double slip_speed) {
-  return {.diameter = 1e-3, .gas_fraction = gas_fraction, .slip_speed = slip_speed, .gas_density = 1.225, .gas_viscosity = 1.79e-5};
+  return {.diameter = 1e-3,
+          .gas_fraction = gas_fraction,
+          .slip_speed = slip_speed,
+          .gas_density = 1.225,
+          .gas_viscosity = 1.79e-5};
 }
 
 /// beta / phi [kg/(m^3 s)], as the literature tabulates it.

@@ -58,7 +58,4 @@ void restrict_to(const Level& fine, std::vector<double>& from, Level& coarse);
 /// fine.x += interpolation of coarse.x, or fine.x = … where the fine level is not smoothed.
 void interpolate_from(Level& fine, Level& coarse);
 
-/// Below this many cells a level is not worth a second thread.
-inline constexpr Index k_worth_threads = 4096;
-
 }  // namespace similitude::multigrid

@@ -13,6 +13,9 @@ namespace similitude {
 using Index = std::ptrdiff_t;
 using Triple = std::array<Index, 3>;
 
+/// Loops over fewer rows are not worth a second thread.
+inline constexpr Index k_worth_threads = 8192;
+
 struct Staggered {
   explicit Staggered(const similitude_grid& table) : grid(&table) {
     for (std::size_t a = 0; a < 3; ++a) {

@@ -47,7 +47,7 @@ bool by_kind_and_id(const PluginEntry& a, const PluginEntry& b) {
 PluginError::PluginError(const std::string& what, const std::string& fix) : std::runtime_error(with_fix(what, fix)) {}
 
 Catalogue::Catalogue(const std::vector<SearchLevel>& levels) : levels_(levels) {
-  std::set<fs::path> searched;   // a folder named twice counts where it is nearest
+  std::set<fs::path> searched;  // a folder named twice counts where it is nearest
   for (const SearchLevel& level : levels_)
     if (searched.insert(fs::weakly_canonical(level.folder)).second) search(level);
   std::sort(plugins_.begin(), plugins_.end(), by_kind_and_id);
@@ -68,7 +68,8 @@ void Catalogue::search(const SearchLevel& level) {
   std::error_code failed;
   if (!fs::is_directory(level.folder, failed)) {
     if (level.must_exist)
-      refused_.push_back({level.folder, "there is no such folder, and " + level.name + " names it.", "Correct the path, or leave it out."});
+      refused_.push_back({level.folder, "there is no such folder, and " + level.name + " names it.",
+                          "Correct the path, or leave it out."});
     return;
   }
   for (const fs::path& file : libraries_in(fs::absolute(level.folder).lexically_normal())) look_at(file, level.name);
@@ -86,15 +87,16 @@ void Catalogue::look_at(const fs::path& file, const std::string& level) {
 
 /// What was taken before is nearer and wins; at the same level nothing says which is meant.
 void Catalogue::take(const PluginEntry& candidate) {
-  const auto same = std::find_if(plugins_.begin(), plugins_.end(), [&](const auto& known) { return same_model(known, candidate); });
+  const auto same =
+      std::find_if(plugins_.begin(), plugins_.end(), [&](const auto& known) { return same_model(known, candidate); });
   if (same == plugins_.end()) {
     plugins_.push_back(candidate);
   } else if (same->level != candidate.level) {
     if (same->hides.empty()) same->hides = candidate.file.string();
-  } else if (fs::canonical(same->file) != fs::canonical(candidate.file)) {   // a link to a library is that library
-    throw PluginError("two files offer the " + std::string(candidate.descriptor->kind) + " model \"" + candidate.descriptor->id +
-                          "\": " + same->file.string() + " and " + candidate.file.string() + " (both found by " +
-                          candidate.level + ").",
+  } else if (fs::canonical(same->file) != fs::canonical(candidate.file)) {  // a link to a library is that library
+    throw PluginError("two files offer the " + std::string(candidate.descriptor->kind) + " model \"" +
+                          candidate.descriptor->id + "\": " + same->file.string() + " and " + candidate.file.string() +
+                          " (both found by " + candidate.level + ").",
                       "Remove one of them, or move the one that is meant to a nearer level of the search.");
   }
 }

@@ -1,14 +1,14 @@
 #pragma once
 /// Every plugin this process knows: found, checked, loaded once and never unloaded.
 
+#include <similitude/abi.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <similitude/abi.h>
 
 namespace similitude {
 
@@ -21,22 +21,22 @@ class PluginError : public std::runtime_error {
 /// A folder that is searched for plugins, and why. Nearer levels come first and win.
 /// Folders of the same name make one level.
 struct SearchLevel {
-  std::string name;                // "plugin_paths of the case", "SIMILITUDE_PLUGIN_PATH", "user folder", "install folder"
+  std::string name;  // "plugin_paths of the case", "SIMILITUDE_PLUGIN_PATH", "user folder", "install folder"
   std::filesystem::path folder;
-  bool must_exist = false;         // the user named it: if it is not there, that is told
+  bool must_exist = false;  // the user named it: if it is not there, that is told
 };
 
 struct PluginEntry {
-  const similitude_descriptor* descriptor = nullptr;   // for ever
-  std::filesystem::path file;                          // absolute
-  std::string level;                                   // name of its SearchLevel
-  std::string hides;                                   // file of the same kind and id at a farther level, or ""
+  const similitude_descriptor* descriptor = nullptr;  // for ever
+  std::filesystem::path file;                         // absolute
+  std::string level;                                  // name of its SearchLevel
+  std::string hides;                                  // file of the same kind and id at a farther level, or ""
 };
 
 /// A library that was not taken, and why.
 struct RefusedFile {
   std::filesystem::path file;
-  std::string reason;   // both sides printed
+  std::string reason;  // both sides printed
   std::string fix;
 };
 
@@ -78,8 +78,8 @@ class Catalogue {
   std::vector<std::string> ids(const std::string& kind) const;
   /// Null if there is none.
   const PluginEntry* find(const std::string& kind, const std::string& id) const;
-  /// "there is no drag model "gidaspo". Did you mean …" with the models found and the refused files that may contain it.
-  /// An empty kind: any kind will do.
+  /// "there is no drag model "gidaspo". Did you mean …" with the models found and the refused files that may contain
+  /// it. An empty kind: any kind will do.
   [[noreturn]] void throw_no_such_model(const std::string& kind, const std::string& id) const;
 
  private:
@@ -93,15 +93,17 @@ class Catalogue {
   std::vector<RefusedFile> refused_;
 };
 
-/// From the nearest: the case's plugin_paths, the folders of SIMILITUDE_PLUGIN_PATH (colons between them), the user folder
-/// ${XDG_DATA_HOME:-~/.local/share}/similitude/plugins, the install folder, which is also the build tree's, found from where
-/// this program lies.
+/// From the nearest: the case's plugin_paths, the folders of SIMILITUDE_PLUGIN_PATH (colons between them), the user
+/// folder
+/// ${XDG_DATA_HOME:-~/.local/share}/similitude/plugins, the install folder, which is also the build tree's, found from
+/// where this program lies.
 std::vector<SearchLevel> search_levels(const std::vector<std::filesystem::path>& plugin_paths_of_case);
 
-/// Creates a model with `sets` rows of values, in the order of its parameter table. A choice without a text is its default.
-/// Throws PluginError with the plugin's own words on refusal, and std::logic_error when kind or number of values do not fit.
+/// Creates a model with `sets` rows of values, in the order of its parameter table. A choice without a text is its
+/// default. Throws PluginError with the plugin's own words on refusal, and std::logic_error when kind or number of
+/// values do not fit.
 template <class Functions>
-Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed, const std::vector<similitude_value>& values,
-                              std::uint32_t sets = 1);
+Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed,
+                              const std::vector<similitude_value>& values, std::uint32_t sets = 1);
 
 }  // namespace similitude

@@ -23,7 +23,8 @@ void print_words_of_plugin(std::int32_t level, const char* text) {
   if (text != nullptr) std::fprintf(stderr, "%s: %s\n", level > 0 ? "warning" : "note", text);
 }
 
-constexpr similitude_host k_host{sizeof(similitude_host), SIMILITUDE_ABI_MAJOR, SIMILITUDE_ABI_MINOR, print_words_of_plugin};
+constexpr similitude_host k_host{sizeof(similitude_host), SIMILITUDE_ABI_MAJOR, SIMILITUDE_ABI_MINOR,
+                                 print_words_of_plugin};
 
 /// The text need not be ended by a zero, nor be there.
 std::string words_of(const similitude_status& status) {
@@ -37,8 +38,9 @@ std::vector<similitude_value> without_gaps(const similitude_descriptor& model, s
     const similitude_parameter& parameter = model.parameters[k % model.parameter_count];
     if (parameter.type == SIMILITUDE_CHOICE && values[k].text == nullptr) values[k].text = parameter.default_text;
     if (parameter.type == SIMILITUDE_CHOICE && values[k].text == nullptr)
-      throw PluginError(std::string(model.kind) + " model \"" + model.id + "\" needs the parameter \"" + parameter.name + "\".",
-                        std::string("Give one of ") + parameter.choices + ".");
+      throw PluginError(
+          std::string(model.kind) + " model \"" + model.id + "\" needs the parameter \"" + parameter.name + "\".",
+          std::string("Give one of ") + parameter.choices + ".");
   }
   return values;
 }
@@ -46,32 +48,39 @@ std::vector<similitude_value> without_gaps(const similitude_descriptor& model, s
 }  // namespace
 
 template <class Functions>
-Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed, const std::vector<similitude_value>& values,
-                              std::uint32_t sets) {
+Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& bed,
+                              const std::vector<similitude_value>& values, std::uint32_t sets) {
   const similitude_descriptor& descriptor = *plugin.descriptor;
   if (std::strcmp(descriptor.kind, k_kind<Functions>) != 0)
-    throw std::logic_error(std::string("a ") + descriptor.kind + " model is no " + k_kind<Functions> + " model: " + descriptor.id);
+    throw std::logic_error(std::string("a ") + descriptor.kind + " model is no " + k_kind<Functions> +
+                           " model: " + descriptor.id);
   if (sets == 0 || values.size() != std::size_t{sets} * descriptor.parameter_count)
     throw std::logic_error(std::string("the number of values does not fit the parameter table of ") + descriptor.id);
 
   const std::vector<similitude_value> complete = without_gaps(descriptor, values);
   similitude_bed complete_bed = bed;
-  complete_bed.struct_size = sizeof complete_bed;   // whoever filled it knows this program's structure
+  complete_bed.struct_size = sizeof complete_bed;  // whoever filled it knows this program's structure
   similitude_status status{};
   status.row = -1;
   void* instance = descriptor.create(&k_host, &complete_bed, complete.data(), sets, &status);
   if (instance == nullptr || status.code != 0) {
     if (instance != nullptr) descriptor.destroy(instance);
-    throw PluginError(std::string(descriptor.kind) + " model \"" + descriptor.id + "\" cannot be created: " + words_of(status),
-                      plugin.file.empty() ? "" : "(from " + plugin.file.string() + ", version " + descriptor.version + ")");
+    throw PluginError(
+        std::string(descriptor.kind) + " model \"" + descriptor.id + "\" cannot be created: " + words_of(status),
+        plugin.file.empty() ? "" : "(from " + plugin.file.string() + ", version " + descriptor.version + ")");
   }
   return Model<Functions>(descriptor, instance);
 }
 
-template ContactModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&, std::uint32_t);
-template DragModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&, std::uint32_t);
-template FluidModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&, std::uint32_t);
-template ScalingModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&, std::uint32_t);
-template EffectModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&, std::uint32_t);
+template ContactModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
+                                   std::uint32_t);
+template DragModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
+                                std::uint32_t);
+template FluidModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
+                                 std::uint32_t);
+template ScalingModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
+                                   std::uint32_t);
+template EffectModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
+                                  std::uint32_t);
 
 }  // namespace similitude

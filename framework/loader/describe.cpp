@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
-
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "loader/number_text.h"
 
@@ -41,22 +40,33 @@ std::vector<const PluginEntry*> models_called(const Catalogue& catalogue, const 
 
 const char* type_name(std::int32_t type) {
   switch (type) {
-    case SIMILITUDE_INTEGER: return "integer";
-    case SIMILITUDE_FLAG: return "flag";
-    case SIMILITUDE_CHOICE: return "choice";
-    default: return "real";
+    case SIMILITUDE_INTEGER:
+      return "integer";
+    case SIMILITUDE_FLAG:
+      return "flag";
+    case SIMILITUDE_CHOICE:
+      return "choice";
+    default:
+      return "real";
   }
 }
 
 const char* scaling_name(std::int32_t scales_as) {
   switch (scales_as) {
-    case SIMILITUDE_SCALES_AS_LENGTH: return "length";
-    case SIMILITUDE_SCALES_AS_DIAMETER: return "diameter";
-    case SIMILITUDE_SCALES_AS_TIME: return "time";
-    case SIMILITUDE_SCALES_AS_VELOCITY: return "velocity";
-    case SIMILITUDE_SCALES_AS_STIFFNESS: return "stiffness";
-    case SIMILITUDE_SCALES_AS_MODULUS: return "modulus";
-    default: return nullptr;
+    case SIMILITUDE_SCALES_AS_LENGTH:
+      return "length";
+    case SIMILITUDE_SCALES_AS_DIAMETER:
+      return "diameter";
+    case SIMILITUDE_SCALES_AS_TIME:
+      return "time";
+    case SIMILITUDE_SCALES_AS_VELOCITY:
+      return "velocity";
+    case SIMILITUDE_SCALES_AS_STIFFNESS:
+      return "stiffness";
+    case SIMILITUDE_SCALES_AS_MODULUS:
+      return "modulus";
+    default:
+      return nullptr;
   }
 }
 
@@ -67,7 +77,7 @@ std::string default_text(const similitude_parameter& p) {
   if (p.type == SIMILITUDE_CHOICE) return p.default_text;
   if (std::isnan(p.default_value)) return "left out";
   if (p.type == SIMILITUDE_FLAG) return p.default_value != 0 ? "true" : "false";
-  char six_digits[32];   // people need no more; scripts read the JSON
+  char six_digits[32];  // people need no more; scripts read the JSON
   std::snprintf(six_digits, sizeof six_digits, "%.6g", p.default_value);
   return six_digits;
 }
@@ -117,7 +127,11 @@ json parameter_json(const similitude_parameter& p) {
 
 json plugin_json(const PluginEntry& plugin) {
   const similitude_descriptor& model = *plugin.descriptor;
-  return {{"kind", model.kind}, {"id", model.id}, {"version", model.version}, {"title", model.title}, {"file", plugin.file.string()}};
+  return {{"kind", model.kind},
+          {"id", model.id},
+          {"version", model.version},
+          {"title", model.title},
+          {"file", plugin.file.string()}};
 }
 
 /// Rows of cells, each column as wide as its widest cell; the last is not padded.
@@ -138,7 +152,8 @@ std::string table_text(const std::vector<std::vector<std::string>>& rows) {
 std::string refused_count_text(const Catalogue& catalogue) {
   const std::size_t count = catalogue.refused().size();
   if (count == 0) return {};
-  return std::to_string(count) + (count == 1 ? " file was" : " files were") + " refused: `similitude plugins failures` says why.\n";
+  return std::to_string(count) + (count == 1 ? " file was" : " files were") +
+         " refused: `similitude plugins failures` says why.\n";
 }
 
 }  // namespace
@@ -150,7 +165,8 @@ std::string plugins_text(const Catalogue& catalogue) {
     const similitude_descriptor& model = *plugin.descriptor;
     rows.push_back({model.kind, model.id, model.version, model.title, plugin.file.string()});
     if (!plugin.hides.empty())
-      hidden += "The " + std::string(model.kind) + " model \"" + model.id + "\" of " + plugin.level + " hides " + plugin.hides + ".\n";
+      hidden += "The " + std::string(model.kind) + " model \"" + model.id + "\" of " + plugin.level + " hides " +
+                plugin.hides + ".\n";
   }
   return table_text(rows) + hidden + refused_count_text(catalogue);
 }

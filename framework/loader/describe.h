@@ -1,9 +1,8 @@
 #pragma once
 /// What `similitude plugins` prints. Text for people, JSON for scripts; both end where the last thing said ends.
 
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "loader/catalogue.h"
 
@@ -14,12 +13,12 @@ std::string plugins_text(const Catalogue& catalogue);
 /// {"plugins": [{"kind", "id", "version", "title", "file"}]}
 nlohmann::json plugins_json(const Catalogue& catalogue);
 
-/// Every model of this id, of whatever kind: who made it, where it is, and its parameters with unit, default, range, text
-/// and reference. Throws PluginError if there is none.
+/// Every model of this id, of whatever kind: who made it, where it is, and its parameters with unit, default, range,
+/// text and reference. Throws PluginError if there is none.
 std::string plugin_info_text(const Catalogue& catalogue, const std::string& id);
-/// {"plugins": [{…as above, "authors", "reference", "level", "hides", "parameters": [{"name", "type", "unit", "required",
-/// "default", "minimum", "maximum", "typical_minimum", "typical_maximum", "choices", "scales_as", "doc", "reference"}]}]};
-/// null where there is none.
+/// {"plugins": [{…as above, "authors", "reference", "level", "hides", "parameters": [{"name", "type", "unit",
+/// "required", "default", "minimum", "maximum", "typical_minimum", "typical_maximum", "choices", "scales_as", "doc",
+/// "reference"}]}]}; null where there is none.
 nlohmann::json plugin_info_json(const Catalogue& catalogue, const std::string& id);
 
 /// Every refused file with the reason and what to do.

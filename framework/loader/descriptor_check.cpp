@@ -66,9 +66,11 @@ Fault check_parameters(const similitude_descriptor& model) {
     const similitude_parameter& parameter = model.parameters[k];
     Fault fault = check_parameter(parameter);
     if (!fault.empty())
-      return (blank(parameter.name) ? "parameter " + std::to_string(k + 1) : "parameter \"" + std::string(parameter.name) + "\"") +
+      return (blank(parameter.name) ? "parameter " + std::to_string(k + 1)
+                                    : "parameter \"" + std::string(parameter.name) + "\"") +
              ": " + fault;
-    if (!names.insert(parameter.name).second) return "parameter \"" + std::string(parameter.name) + "\" is declared twice";
+    if (!names.insert(parameter.name).second)
+      return "parameter \"" + std::string(parameter.name) + "\" is declared twice";
   }
   return {};
 }
@@ -90,7 +92,8 @@ Refusal ask_the_author(const std::string& reason) {
 }  // namespace
 
 std::optional<Refusal> check_entry(const similitude_entry& entry) {
-  if (entry.struct_size < sizeof entry || entry.descriptors == nullptr) return ask_the_author("its entry is incomplete");
+  if (entry.struct_size < sizeof entry || entry.descriptors == nullptr)
+    return ask_the_author("its entry is incomplete");
   if (entry.descriptor_count == 0) return ask_the_author("it offers no model");
 
   std::set<std::string> models;
@@ -104,10 +107,12 @@ std::optional<Refusal> check_entry(const similitude_entry& entry) {
     static const std::set<std::string> kinds{"drag", "contact", "fluid", "scaling", "effect"};
     const std::string kind = blank(model.kind) ? "" : model.kind;
     if (!kinds.contains(kind))
-      return ask_the_author(number + ": there is no kind \"" + kind + "\"; kinds are drag, contact, fluid, scaling and effect");
+      return ask_the_author(number + ": there is no kind \"" + kind +
+                            "\"; kinds are drag, contact, fluid, scaling and effect");
     const std::string id = blank(model.id) ? "" : model.id;
     if (!is_model_id(id))
-      return ask_the_author(number + ": \"" + id + "\" is no id; write my_law, or org.example.my_law for a third party's");
+      return ask_the_author(number + ": \"" + id +
+                            "\" is no id; write my_law, or org.example.my_law for a third party's");
     const std::string name = kind + " model \"" + id + "\"";
     if (!models.insert(name).second) return ask_the_author("it offers the " + name + " twice");
     const Fault fault = check_model(model);

@@ -33,7 +33,8 @@ std::string loader_words(const fs::path& file) {
   return words;
 }
 
-/// Maps without the rest of the checks. Everything is resolved now: a missing symbol must not show up in the middle of a run.
+/// Maps without the rest of the checks. Everything is resolved now: a missing symbol must not show up in the middle of
+/// a run.
 bool map(boost::dll::shared_library& library, const fs::path& file, Refusal& refusal) {
   using boost::dll::load_mode::rtld_local;
   using boost::dll::load_mode::rtld_now;
@@ -50,11 +51,13 @@ bool map(boost::dll::shared_library& library, const fs::path& file, Refusal& ref
 
 Refusal changed_floating_point(std::uint32_t before, std::uint32_t after) {
   char words[160];
-  std::snprintf(words, sizeof words,
-                "loading it changed the processor's floating-point control word from 0x%04x to 0x%04x; it was set back.", before,
-                after);
+  std::snprintf(
+      words, sizeof words,
+      "loading it changed the processor's floating-point control word from 0x%04x to 0x%04x; it was set back.", before,
+      after);
   return {words,
-          "Rebuild it without -ffast-math and -Ofast, whose start-up code flushes small numbers to zero in the whole program."};
+          "Rebuild it without -ffast-math and -Ofast, whose start-up code flushes small numbers to zero in the whole "
+          "program."};
 }
 
 Outcome map_and_check(boost::dll::shared_library& library, const fs::path& file) {
@@ -82,8 +85,8 @@ Outcome load_library(const fs::path& file) {
   if (const auto* refusal = std::get_if<Refusal>(&tag)) return *refusal;
   if (auto refusal = check_tag(std::get<similitude_tag>(tag))) return *refusal;
 
-  // Start-up code runs when a library is mapped for the first time only, so what it did must be remembered. Never destroyed:
-  // a descriptor, a model's code and the library's own statics must outlive everything that uses them.
+  // Start-up code runs when a library is mapped for the first time only, so what it did must be remembered. Never
+  // destroyed: a descriptor, a model's code and the library's own statics must outlive everything that uses them.
   static auto& mapped = *new std::map<fs::path, MappedLibrary>;
   const fs::path real = fs::canonical(file);
   const auto [place, is_new] = mapped.try_emplace(real);

@@ -1,7 +1,7 @@
 #pragma once
-#include <string>
-
 #include <similitude/abi.h>
+
+#include <string>
 
 namespace similitude {
 

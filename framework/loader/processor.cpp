@@ -19,10 +19,11 @@ constexpr std::uint32_t k_sticky_flags = 0x3f;  // exceptions that have happened
 
 /// The features that compilers use at each rung. Single features, because not every compiler knows the rungs by name.
 int highest_rung() {
-  const bool v2 = __builtin_cpu_supports("sse3") && __builtin_cpu_supports("ssse3") && __builtin_cpu_supports("sse4.1") &&
-                  __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt");
-  const bool v3 = v2 && __builtin_cpu_supports("avx") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-                  __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
+  const bool v2 = __builtin_cpu_supports("sse3") && __builtin_cpu_supports("ssse3") &&
+                  __builtin_cpu_supports("sse4.1") && __builtin_cpu_supports("sse4.2") &&
+                  __builtin_cpu_supports("popcnt");
+  const bool v3 = v2 && __builtin_cpu_supports("avx") && __builtin_cpu_supports("avx2") &&
+                  __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma");
   const bool v4 = v3 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                   __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
                   __builtin_cpu_supports("avx512vl");
@@ -45,7 +46,7 @@ void set_floating_point_control(std::uint32_t control) { _mm_setcsr((_mm_getcsr(
 
 #else
 
-std::string processor_instruction_set() { return instruction_set(); }   // the one this program was built for
+std::string processor_instruction_set() { return instruction_set(); }  // the one this program was built for
 bool processor_has(const std::string& wanted) { return wanted == instruction_set(); }
 std::uint32_t floating_point_control() { return 0; }
 void set_floating_point_control(std::uint32_t) {}

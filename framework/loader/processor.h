@@ -13,7 +13,8 @@ std::string processor_instruction_set();
 /// Whether a library built for `wanted` (a rung of that ladder) runs here. False for a name that is not on the ladder.
 bool processor_has(const std::string& wanted);
 
-/// Rounding, flush-to-zero and exception masks of the calling thread (MXCSR without its sticky flags). 0 where there is none.
+/// Rounding, flush-to-zero and exception masks of the calling thread (MXCSR without its sticky flags). 0 where there is
+/// none.
 std::uint32_t floating_point_control();
 void set_floating_point_control(std::uint32_t control);
 

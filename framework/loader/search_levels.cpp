@@ -15,7 +15,8 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Empty if there is neither XDG_DATA_HOME nor HOME. A relative XDG_DATA_HOME does not count (XDG base directories 0.8).
+/// Empty if there is neither XDG_DATA_HOME nor HOME. A relative XDG_DATA_HOME does not count (XDG base directories
+/// 0.8).
 fs::path user_folder() {
   const fs::path data = variable("XDG_DATA_HOME");
   if (data.is_absolute()) return data / "similitude" / "plugins";
@@ -40,8 +41,9 @@ fs::path install_folder() {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
   const fs::path plugins = fs::path("similitude") / "plugins";
-  for (const fs::path& candidate : {own_file().parent_path() / plugins, own_file().parent_path().parent_path() / "lib" / plugins,
-                                    program.parent_path().parent_path() / "lib" / plugins})
+  for (const fs::path& candidate :
+       {own_file().parent_path() / plugins, own_file().parent_path().parent_path() / "lib" / plugins,
+        program.parent_path().parent_path() / "lib" / plugins})
     if (fs::is_directory(candidate, failed)) return candidate;
   return program.parent_path().parent_path() / "lib" / plugins;
 }

@@ -44,8 +44,8 @@ bool is_model_id(std::string_view text) {
 bool is_version(std::string_view text) {
   const std::string_view numbers = text.substr(0, text.find_first_of("-+"));
   std::string_view rest = numbers, major, minor, patch;
-  return take(rest, '.', major) && take(rest, '.', minor) && !take(rest, '.', patch) && is_number(major) && is_number(minor) &&
-         is_number(patch);
+  return take(rest, '.', major) && take(rest, '.', minor) && !take(rest, '.', patch) && is_number(major) &&
+         is_number(minor) && is_number(patch);
 }
 
 }  // namespace similitude

@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gelf.h>
 #include <libelf.h>
+#include <similitude/layout.h>
+#include <similitude/plugin.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,9 +14,6 @@
 #include <memory>
 #include <string>
 
-#include <similitude/layout.h>
-#include <similitude/plugin.h>
-
 #include "loader/processor.h"
 
 namespace similitude {
@@ -23,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* k_no_plugin_of_ours =
-    "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it elsewhere.";
+    "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it "
+    "elsewhere.";
 constexpr const char* k_rebuild =
     "Rebuild it against this program: "
     "cmake -B build -Dsimilitude_DIR=<prefix>/lib/cmake/similitude && cmake --build build";
@@ -47,7 +47,8 @@ struct ElfEnd {
 template <std::size_t N>
 std::string text_of(const char (&field)[N]) {
   std::string text(field, std::find(field, field + N, '\0'));
-  std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   return text;
 }
 
@@ -60,8 +61,8 @@ std::string hexadecimal(std::uint32_t value) {
 }
 
 std::string both_sides(const similitude_tag& tag) {
-  return "\n(plugin: " + text_of(tag.compiler) + ", " + text_of(tag.instruction_set) + " | program: " + compiler() + ", " +
-         instruction_set() + ")";
+  return "\n(plugin: " + text_of(tag.compiler) + ", " + text_of(tag.instruction_set) + " | program: " + compiler() +
+         ", " + instruction_set() + ")";
 }
 
 /// The bytes of the section named `name`; false if there is none.
@@ -85,11 +86,12 @@ bool find_section(Elf* elf, const char* name, const char*& bytes, std::size_t& s
 std::optional<Refusal> check_file(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
-    return Refusal{"it is a folder, not a library.", "Move it elsewhere, or name the folder itself under plugin_paths."};
+    return Refusal{"it is a folder, not a library.",
+                   "Move it elsewhere, or name the folder itself under plugin_paths."};
   if (fs::is_symlink(file, ignored) && !fs::exists(file, ignored))
     return Refusal{"it is a symbolic link to " + fs::read_symlink(file, ignored).string() + ", which is not there.",
                    "Point the link to the library, or remove it."};
-  if (!fs::is_regular_file(file, ignored) && fs::exists(file, ignored))   // opening a pipe would wait for its writer
+  if (!fs::is_regular_file(file, ignored) && fs::exists(file, ignored))  // opening a pipe would wait for its writer
     return Refusal{"it is not a regular file.", "Move it elsewhere."};
   return std::nullopt;
 }
@@ -100,20 +102,22 @@ std::variant<similitude_tag, Refusal> read_tag(const fs::path& file) {
   if (auto refusal = check_file(file)) return *refusal;
   const OpenFile open(file);
   if (open.descriptor < 0)
-    return Refusal{std::string("it cannot be read: ") + std::strerror(errno) + ".", "Make it readable to this user, or remove it."};
+    return Refusal{std::string("it cannot be read: ") + std::strerror(errno) + ".",
+                   "Make it readable to this user, or remove it."};
 
   elf_version(EV_CURRENT);
   const std::unique_ptr<Elf, ElfEnd> elf(elf_begin(open.descriptor, ELF_C_READ, nullptr));
   if (elf == nullptr || elf_kind(elf.get()) != ELF_K_ELF)
-    return Refusal{"it is not a library (no ELF file).", "Build the plugin with similitude_add_plugin(), or remove the file."};
+    return Refusal{"it is not a library (no ELF file).",
+                   "Build the plugin with similitude_add_plugin(), or remove the file."};
 
   const char* bytes = nullptr;
   std::size_t size = 0;
   if (!find_section(elf.get(), SIMILITUDE_TAG_SECTION, bytes, size))
-    return Refusal{"it is no plugin: it has no section " SIMILITUDE_TAG_SECTION ".",
-                   k_no_plugin_of_ours};
+    return Refusal{"it is no plugin: it has no section " SIMILITUDE_TAG_SECTION ".", k_no_plugin_of_ours};
   if (size < sizeof(similitude_tag))
-    return Refusal{"its tag has " + std::to_string(size) + " bytes, this program reads " + std::to_string(sizeof(similitude_tag)) + ".",
+    return Refusal{"its tag has " + std::to_string(size) + " bytes, this program reads " +
+                       std::to_string(sizeof(similitude_tag)) + ".",
                    k_rebuild};
   similitude_tag tag;
   std::memcpy(&tag, bytes, sizeof tag);
@@ -133,14 +137,15 @@ std::optional<Refusal> check_tag(const similitude_tag& tag) {
     return Refusal{"built for plugin ABI " + theirs + ", this program offers ABI " + ours + ".",
                    "Update Similitude, or build the plugin for this one.\n" + (k_rebuild + both_sides(tag))};
   if (tag.layout_hash != abi::layout_hash() || tag.struct_size < sizeof tag)
-    return Refusal{"built for plugin ABI " + theirs + " with another layout of its structures (" + hexadecimal(tag.layout_hash) +
-                       ", this program's is " + hexadecimal(abi::layout_hash()) + ").",
+    return Refusal{"built for plugin ABI " + theirs + " with another layout of its structures (" +
+                       hexadecimal(tag.layout_hash) + ", this program's is " + hexadecimal(abi::layout_hash()) + ").",
                    k_rebuild + both_sides(tag)};
   const std::string wanted = text_of(tag.instruction_set);
   if (!processor_has(wanted))
-    return Refusal{"built for the instruction set " + wanted + ", this processor has " + processor_instruction_set() + ".",
-                   "Rebuild it for this processor: cmake -B build -DSIMILITUDE_MARCH=" + processor_instruction_set() +
-                       " && cmake --build build" + both_sides(tag)};
+    return Refusal{
+        "built for the instruction set " + wanted + ", this processor has " + processor_instruction_set() + ".",
+        "Rebuild it for this processor: cmake -B build -DSIMILITUDE_MARCH=" + processor_instruction_set() +
+            " && cmake --build build" + both_sides(tag)};
   return std::nullopt;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Four doubles in one register, and the turn from four rows to four columns and back. Internal to particles/.
+/// Four doubles in one register, and the turn from four rows to four columns and back. For particles/ and coupling/ alone.
 /// GCC and Clang vector types: the code is the same with AVX, without it, and on other processors.
 
 #include <cmath>

@@ -40,7 +40,9 @@ class Cage {
   }
 
   similitude::SearchLevel level(const std::string& name = "user folder") const { return {name, folder_}; }
-  similitude::Catalogue catalogue() const { return similitude::Catalogue(std::vector<similitude::SearchLevel>{level()}); }
+  similitude::Catalogue catalogue() const {
+    return similitude::Catalogue(std::vector<similitude::SearchLevel>{level()});
+  }
 
  private:
   std::filesystem::path folder_;

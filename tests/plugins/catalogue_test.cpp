@@ -29,7 +29,8 @@ TEST(Catalogue, TheSameIdTwiceInOneFolderNamesBothFiles) {
   Cage cage;
   cage.add("sound").add("twin");
   EXPECT_EQ(error_of([&] { cage.catalogue(); }),
-            "two files offer the drag model \"sound\": " + cage.path("drag_sound.so") + " and " + cage.path("drag_twin.so") +
+            "two files offer the drag model \"sound\": " + cage.path("drag_sound.so") + " and " +
+                cage.path("drag_twin.so") +
                 " (both found by user folder).\n"
                 "  Remove one of them, or move the one that is meant to a nearer level of the search.");
 }
@@ -38,8 +39,11 @@ TEST(Catalogue, TwoFoldersOfOneLevelAreOneLevel) {
   Cage one, other;
   one.add("sound");
   other.add("twin");
-  EXPECT_EQ(error_of([&] { Catalogue(Levels{one.level("SIMILITUDE_PLUGIN_PATH"), other.level("SIMILITUDE_PLUGIN_PATH")}); }),
-            "two files offer the drag model \"sound\": " + one.path("drag_sound.so") + " and " + other.path("drag_twin.so") +
+  EXPECT_EQ(error_of([&] {
+              Catalogue(Levels{one.level("SIMILITUDE_PLUGIN_PATH"), other.level("SIMILITUDE_PLUGIN_PATH")});
+            }),
+            "two files offer the drag model \"sound\": " + one.path("drag_sound.so") + " and " +
+                other.path("drag_twin.so") +
                 " (both found by SIMILITUDE_PLUGIN_PATH).\n"
                 "  Remove one of them, or move the one that is meant to a nearer level of the search.");
 }
@@ -61,7 +65,8 @@ TEST(Catalogue, ALinkToALibraryIsThatLibrary) {
 }
 
 TEST(Catalogue, AMissingFolderIsToldOnlyIfSomebodyNamedIt) {
-  const Catalogue catalogue(Levels{{"plugin_paths of the case", "/nowhere/plugins", true}, {"user folder", "/nowhere/else"}});
+  const Catalogue catalogue(
+      Levels{{"plugin_paths of the case", "/nowhere/plugins", true}, {"user folder", "/nowhere/else"}});
   ASSERT_EQ(catalogue.refused().size(), 1u);
   EXPECT_EQ(catalogue.refused()[0].file, "/nowhere/plugins");
   EXPECT_EQ(catalogue.refused()[0].reason, "there is no such folder, and plugin_paths of the case names it.");
@@ -73,9 +78,12 @@ TEST(Catalogue, AWrongLetterIsAnsweredWithTheNearestModel) {
   cage.add("sound");
   EXPECT_EQ(error_of([&] { cage.catalogue().throw_no_such_model("drag", "sund"); }),
             "there is no drag model \"sund\".\n"
-            "  Did you mean \"sound\" (1.0.0, from " + cage.path("drag_sound.so") + ")?\n"
-            "  Drag models found: sound.\n"
-            "  Searched: " + cage.folder().string() + " (user folder).");
+            "  Did you mean \"sound\" (1.0.0, from " +
+                cage.path("drag_sound.so") +
+                ")?\n"
+                "  Drag models found: sound.\n"
+                "  Searched: " +
+                cage.folder().string() + " (user folder).");
 }
 
 TEST(Catalogue, AMissingModelNamesTheRefusedFilesThatMayContainIt) {
@@ -85,9 +93,14 @@ TEST(Catalogue, AMissingModelNamesTheRefusedFilesThatMayContainIt) {
             "there is no drag model \"org.example.mine\".\n"
             "  Drag models found: none.\n"
             "  2 files were refused and may contain it (`similitude plugins failures` says what to do):\n"
-            "    " + cage.path("drag_other_major.so") + ": built for plugin ABI 7.1, this program offers ABI 0.1.\n"
-            "    " + cage.path("mine.so") + ": it is not a library (no ELF file).\n"
-            "  Searched: " + cage.folder().string() + " (user folder).");
+            "    " +
+                cage.path("drag_other_major.so") +
+                ": built for plugin ABI 7.1, this program offers ABI 0.1.\n"
+                "    " +
+                cage.path("mine.so") +
+                ": it is not a library (no ELF file).\n"
+                "  Searched: " +
+                cage.folder().string() + " (user folder).");
 }
 
 TEST(Catalogue, WithoutAKindAnyModelIsOffered) {
@@ -96,7 +109,8 @@ TEST(Catalogue, WithoutAKindAnyModelIsOffered) {
   EXPECT_EQ(error_of([&] { cage.catalogue().throw_no_such_model("", "gidaspow"); }),
             "there is no model \"gidaspow\".\n"
             "  Models found: sound.\n"
-            "  Searched: " + cage.folder().string() + " (user folder).");
+            "  Searched: " +
+                cage.folder().string() + " (user folder).");
 }
 
 TEST(Catalogue, FindsByKindAndId) {

@@ -32,13 +32,15 @@ TEST(CreateModel, ARefusalCarriesThePluginsOwnWords) {
   EXPECT_EQ(answer_to(0.75, cage.add("refuses")),
             "drag model \"refuses\" cannot be created: the factor 0.75 does not fit a bed of 1 mm particles.\n"
             "  Use at most 0.5.\n"
-            "  (from " + cage.path("drag_refuses.so") + ", version 1.0.0)");
+            "  (from " +
+                cage.path("drag_refuses.so") + ", version 1.0.0)");
 }
 
 TEST(CreateModel, ARefusalWithoutAWordIsStillARefusal) {
   Cage cage;
-  EXPECT_EQ(answer_to(0.0, cage.add("refuses")), "drag model \"refuses\" cannot be created: it does not say why.\n  (from " +
-                                                     cage.path("drag_refuses.so") + ", version 1.0.0)");
+  EXPECT_EQ(answer_to(0.0, cage.add("refuses")),
+            "drag model \"refuses\" cannot be created: it does not say why.\n  (from " + cage.path("drag_refuses.so") +
+                ", version 1.0.0)");
 }
 
 TEST(CreateModel, ATextWithoutAnEndIsCutAtTheEndOfItsField) {
@@ -73,10 +75,33 @@ struct Watched {
   static void destroy(void*) { --alive; }
 };
 
-constexpr similitude_parameter k_manner{sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, 0, "manner", "", "how", nullptr,
-                                        "one|other|both", "other", 0, 0, 0, 0, 0};
-constexpr similitude_descriptor k_watched{sizeof(similitude_descriptor), 1, "effect", "watched", "1.0.0", "Watched", nullptr, nullptr,
-                                          &k_manner, nullptr, Watched::create, Watched::destroy};
+constexpr similitude_parameter k_manner{sizeof(similitude_parameter),
+                                        SIMILITUDE_CHOICE,
+                                        0,
+                                        0,
+                                        "manner",
+                                        "",
+                                        "how",
+                                        nullptr,
+                                        "one|other|both",
+                                        "other",
+                                        0,
+                                        0,
+                                        0,
+                                        0,
+                                        0};
+constexpr similitude_descriptor k_watched{sizeof(similitude_descriptor),
+                                          1,
+                                          "effect",
+                                          "watched",
+                                          "1.0.0",
+                                          "Watched",
+                                          nullptr,
+                                          nullptr,
+                                          &k_manner,
+                                          nullptr,
+                                          Watched::create,
+                                          Watched::destroy};
 const PluginEntry k_entry{&k_watched, "", "", ""};
 
 TEST(CreateModel, ALeftOutChoiceIsItsDefault) {

@@ -16,22 +16,45 @@ constexpr double k_open = std::numeric_limits<double>::infinity();
 constexpr double k_not_given = std::numeric_limits<double>::quiet_NaN();
 
 constexpr similitude_parameter k_parameters[] = {
-    {sizeof(similitude_parameter), SIMILITUDE_REAL, 1, SIMILITUDE_SCALES_AS_STIFFNESS, "stiffness", "N/m", "normal spring", nullptr,
-     nullptr, nullptr, 0, 0, k_open, 100, 5000},
-    {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "restitution", "1", "normal restitution", "Tsuji 1992", nullptr, nullptr, 0.9,
-     0.01, 1, 0, 0},
-    {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "cutoff", "K", "if given", nullptr, nullptr, nullptr, k_not_given, -k_open,
-     k_open, 0, 0},
-    {sizeof(similitude_parameter), SIMILITUDE_FLAG, 0, 0, "attraction", "", "whether it pulls", nullptr, nullptr, nullptr, 0, 0, 1, 0, 0},
-    {sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, 0, "wall", "", "which wall", nullptr, "flat|rough", "flat", 0, 0, 0, 0, 0}};
-constexpr similitude_descriptor k_spring{sizeof(similitude_descriptor), 5, "contact", "spring", "1.2.0", "A spring", "A. Nother",
-                                         "Cundall & Strack 1979", k_parameters, nullptr, nullptr, nullptr};
-constexpr similitude_descriptor k_none{sizeof(similitude_descriptor), 0, "drag", "none", "1.0.0", "No drag", nullptr, nullptr, nullptr,
-                                       nullptr, nullptr, nullptr};
+    {sizeof(similitude_parameter), SIMILITUDE_REAL, 1, SIMILITUDE_SCALES_AS_STIFFNESS, "stiffness", "N/m",
+     "normal spring", nullptr, nullptr, nullptr, 0, 0, k_open, 100, 5000},
+    {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "restitution", "1", "normal restitution", "Tsuji 1992",
+     nullptr, nullptr, 0.9, 0.01, 1, 0, 0},
+    {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "cutoff", "K", "if given", nullptr, nullptr, nullptr,
+     k_not_given, -k_open, k_open, 0, 0},
+    {sizeof(similitude_parameter), SIMILITUDE_FLAG, 0, 0, "attraction", "", "whether it pulls", nullptr, nullptr,
+     nullptr, 0, 0, 1, 0, 0},
+    {sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, 0, "wall", "", "which wall", nullptr, "flat|rough", "flat", 0,
+     0, 0, 0, 0}};
+constexpr similitude_descriptor k_spring{sizeof(similitude_descriptor),
+                                         5,
+                                         "contact",
+                                         "spring",
+                                         "1.2.0",
+                                         "A spring",
+                                         "A. Nother",
+                                         "Cundall & Strack 1979",
+                                         k_parameters,
+                                         nullptr,
+                                         nullptr,
+                                         nullptr};
+constexpr similitude_descriptor k_none{sizeof(similitude_descriptor),
+                                       0,
+                                       "drag",
+                                       "none",
+                                       "1.0.0",
+                                       "No drag",
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr};
 
 Catalogue two_models() {
-  return Catalogue(std::vector<PluginEntry>{{&k_none, "/p/drag_none.so", "install folder", ""},
-                                            {&k_spring, "/u/contact_spring.so", "user folder", "/p/contact_spring.so"}});
+  return Catalogue(
+      std::vector<PluginEntry>{{&k_none, "/p/drag_none.so", "install folder", ""},
+                               {&k_spring, "/u/contact_spring.so", "user folder", "/p/contact_spring.so"}});
 }
 
 TEST(PluginsList, HasALinePerPluginByKindAndId) {
@@ -92,7 +115,8 @@ TEST(PluginInfo, AsJsonHasNullWhereThereIsNothing) {
   const json& spring = info["plugins"][0];
   EXPECT_EQ(spring["level"], "user folder");
   EXPECT_EQ(spring["hides"], "/p/contact_spring.so");
-  EXPECT_EQ(spring["parameters"][0], json::parse(R"({"name": "stiffness", "type": "real", "unit": "N/m", "required": true,
+  EXPECT_EQ(spring["parameters"][0],
+            json::parse(R"({"name": "stiffness", "type": "real", "unit": "N/m", "required": true,
     "default": null, "minimum": 0.0, "maximum": null, "typical_minimum": 100.0, "typical_maximum": 5000.0, "choices": null,
     "scales_as": "stiffness", "doc": "normal spring", "reference": null})"));
   EXPECT_EQ(spring["parameters"][2]["default"], json());
@@ -103,9 +127,10 @@ TEST(PluginInfo, AsJsonHasNullWhereThereIsNothing) {
 TEST(PluginFailures, TellReasonAndFix) {
   zoo::Cage cage;
   cage.write("a.so", "");
-  EXPECT_EQ(failures_text(cage.catalogue()), cage.path("a.so") +
-                                                 ": refused: it is not a library (no ELF file).\n"
-                                                 "  Build the plugin with similitude_add_plugin(), or remove the file.\n");
+  EXPECT_EQ(failures_text(cage.catalogue()),
+            cage.path("a.so") +
+                ": refused: it is not a library (no ELF file).\n"
+                "  Build the plugin with similitude_add_plugin(), or remove the file.\n");
   EXPECT_EQ(failures_json(cage.catalogue()),
             json({{"failures",
                    {{{"file", cage.path("a.so")},

@@ -14,7 +14,8 @@ namespace {
 constexpr double k_open = std::numeric_limits<double>::infinity();
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-void* create(const similitude_host*, const similitude_bed*, const similitude_value*, std::uint32_t, similitude_status*) {
+void* create(const similitude_host*, const similitude_bed*, const similitude_value*, std::uint32_t,
+             similitude_status*) {
   return nullptr;
 }
 void destroy(void*) {}
@@ -29,17 +30,29 @@ std::uint64_t state_size(const void*) { return 0; }
 /// A library of one drag model with two parameters, all sound.
 struct Library {
   std::array<similitude_parameter, 2> parameters{
-      similitude_parameter{sizeof(similitude_parameter), SIMILITUDE_REAL, 0, SIMILITUDE_SCALES_NOT, "factor", "1", "multiplies",
-                           nullptr, nullptr, nullptr, 0.5, 0, k_open, 0, 0},
-      similitude_parameter{sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, SIMILITUDE_SCALES_NOT, "manner", "", "how", nullptr,
-                           "one|other", "one", 0, 0, 0, 0, 0}};
+      similitude_parameter{sizeof(similitude_parameter), SIMILITUDE_REAL, 0, SIMILITUDE_SCALES_NOT, "factor", "1",
+                           "multiplies", nullptr, nullptr, nullptr, 0.5, 0, k_open, 0, 0},
+      similitude_parameter{sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, SIMILITUDE_SCALES_NOT, "manner", "",
+                           "how", nullptr, "one|other", "one", 0, 0, 0, 0, 0}};
   similitude_drag_functions drag{sizeof(similitude_drag_functions), 0, nullptr, exchange};
-  similitude_contact_functions contact{sizeof(similitude_contact_functions), 0, needs, forces, contact_time, contact_time, nullptr};
-  similitude_fluid_functions fluid{sizeof(similitude_fluid_functions), 1, initialise, advance, nullptr, nullptr, nullptr, nullptr};
+  similitude_contact_functions contact{
+      sizeof(similitude_contact_functions), 0, needs, forces, contact_time, contact_time, nullptr};
+  similitude_fluid_functions fluid{
+      sizeof(similitude_fluid_functions), 1, initialise, advance, nullptr, nullptr, nullptr, nullptr};
   similitude_scaling_functions scaling{sizeof(similitude_scaling_functions), 0, nullptr};
   similitude_effect_functions effect{sizeof(similitude_effect_functions), 0, nullptr, nullptr};
-  similitude_descriptor model{sizeof(similitude_descriptor), 2, "drag", "law", "1.0.0", "A law", nullptr, nullptr, nullptr,
-                              nullptr, create, destroy};
+  similitude_descriptor model{sizeof(similitude_descriptor),
+                              2,
+                              "drag",
+                              "law",
+                              "1.0.0",
+                              "A law",
+                              nullptr,
+                              nullptr,
+                              nullptr,
+                              nullptr,
+                              create,
+                              destroy};
   std::array<const similitude_descriptor*, 2> models{&model, &model};
   similitude_entry entry{sizeof(similitude_entry), 1, nullptr, models.data()};
 
@@ -81,13 +94,20 @@ TEST(DescriptorCheck, AnEntryOffersAtLeastOneModel) {
 }
 
 TEST(DescriptorCheck, AModelIsNamedAsTheUserWillTypeIt) {
-  EXPECT_FAULT(l.model.kind = "Drag", "model 1: there is no kind \"Drag\"; kinds are drag, contact, fluid, scaling and effect.");
-  EXPECT_FAULT(l.model.kind = nullptr, "model 1: there is no kind \"\"; kinds are drag, contact, fluid, scaling and effect.");
-  EXPECT_FAULT(l.model.id = "My Law", "model 1: \"My Law\" is no id; write my_law, or org.example.my_law for a third party's.");
-  EXPECT_FAULT(l.model.id = nullptr, "model 1: \"\" is no id; write my_law, or org.example.my_law for a third party's.");
-  EXPECT_FAULT(l.model.id = "2nd", "model 1: \"2nd\" is no id; write my_law, or org.example.my_law for a third party's.");
-  EXPECT_FAULT(l.model.id = "org.", "model 1: \"org.\" is no id; write my_law, or org.example.my_law for a third party's.");
-  EXPECT_FAULT(l.model.id = "org..law", "model 1: \"org..law\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.kind = "Drag",
+               "model 1: there is no kind \"Drag\"; kinds are drag, contact, fluid, scaling and effect.");
+  EXPECT_FAULT(l.model.kind = nullptr,
+               "model 1: there is no kind \"\"; kinds are drag, contact, fluid, scaling and effect.");
+  EXPECT_FAULT(l.model.id = "My Law",
+               "model 1: \"My Law\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = nullptr,
+               "model 1: \"\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = "2nd",
+               "model 1: \"2nd\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = "org.",
+               "model 1: \"org.\" is no id; write my_law, or org.example.my_law for a third party's.");
+  EXPECT_FAULT(l.model.id = "org..law",
+               "model 1: \"org..law\" is no id; write my_law, or org.example.my_law for a third party's.");
   EXPECT_FAULT(l.model.version = "1.0", "drag model \"law\": its version \"1.0\" is not of the form 1.0.0.");
   EXPECT_FAULT(l.model.version = "1.0.0.0", "drag model \"law\": its version \"1.0.0.0\" is not of the form 1.0.0.");
   EXPECT_FAULT(l.model.version = "v1.0.0", "drag model \"law\": its version \"v1.0.0\" is not of the form 1.0.0.");
@@ -115,16 +135,20 @@ TEST(DescriptorCheck, WhatAKindCannotDoWithoutIsThere) {
                "fluid model \"law\": its function advance is missing.");
   EXPECT_FAULT((l.model.kind = "fluid", l.model.functions = &l.fluid, l.fluid.state_size = state_size),
                "fluid model \"law\": it has some but not all of state_size, save_state and load_state.");
-  EXPECT_FAULT((l.model.kind = "scaling", l.model.functions = &l.scaling), "scaling model \"law\": its function ratios is missing.");
-  EXPECT_FAULT((l.model.kind = "effect", l.model.functions = &l.effect), "effect model \"law\": its function relevance is missing.");
+  EXPECT_FAULT((l.model.kind = "scaling", l.model.functions = &l.scaling),
+               "scaling model \"law\": its function ratios is missing.");
+  EXPECT_FAULT((l.model.kind = "effect", l.model.functions = &l.effect),
+               "effect model \"law\": its function relevance is missing.");
 }
 
-#define EXPECT_FACTOR_FAULT(spoil, text) EXPECT_FAULT(spoil, std::string("drag model \"law\": parameter \"factor\": ") + text)
+#define EXPECT_FACTOR_FAULT(spoil, text) \
+  EXPECT_FAULT(spoil, std::string("drag model \"law\": parameter \"factor\": ") + text)
 
 TEST(DescriptorCheck, AParameterSaysWhatItIs) {
   EXPECT_FAULT(l.model.parameters = nullptr, "drag model \"law\": its parameter table is missing.");
   EXPECT_FAULT(l.parameters[0].name = nullptr, "drag model \"law\": parameter 1: it has no name.");
-  EXPECT_FAULT(l.parameters[0].name = "Factor", "drag model \"law\": parameter \"Factor\": the name is not lower_snake.");
+  EXPECT_FAULT(l.parameters[0].name = "Factor",
+               "drag model \"law\": parameter \"Factor\": the name is not lower_snake.");
   EXPECT_FAULT(l.parameters[1].name = "factor", "drag model \"law\": parameter \"factor\" is declared twice.");
   EXPECT_FACTOR_FAULT(l.parameters[0].struct_size = 100, "its row has 100 bytes, this program reads 104.");
   EXPECT_FACTOR_FAULT(l.parameters[0].type = 4, "there is no type 4.");
@@ -138,12 +162,15 @@ TEST(DescriptorCheck, ADefaultLiesInsideItsRange) {
   EXPECT_FACTOR_FAULT(l.parameters[0].default_value = -0.1, "default -0.1 is outside its range [0, ...].");
   EXPECT_FACTOR_FAULT(l.parameters[0].maximum = -1, "its range [0, -1] is empty.");
   EXPECT_FACTOR_FAULT(l.parameters[0].minimum = k_nan, "its range [nan, ...] is empty.");
-  EXPECT_FACTOR_FAULT((l.parameters[0].typical_minimum = 2, l.parameters[0].typical_maximum = 1), "its typical range [2, 1] is empty.");
+  EXPECT_FACTOR_FAULT((l.parameters[0].typical_minimum = 2, l.parameters[0].typical_maximum = 1),
+                      "its typical range [2, 1] is empty.");
   EXPECT_FACTOR_FAULT(l.parameters[0].type = SIMILITUDE_INTEGER, "default 0.5 is not a whole number.");
-  EXPECT_FAULT(l.parameters[1].default_text = "third", "drag model \"law\": parameter \"manner\": default \"third\" is not one of one|other.");
+  EXPECT_FAULT(l.parameters[1].default_text = "third",
+               "drag model \"law\": parameter \"manner\": default \"third\" is not one of one|other.");
   EXPECT_FAULT(l.parameters[1].default_text = nullptr,
                "drag model \"law\": parameter \"manner\": it is neither required nor has it a default.");
-  EXPECT_FAULT(l.parameters[1].choices = nullptr, "drag model \"law\": parameter \"manner\": it is a choice without choices.");
+  EXPECT_FAULT(l.parameters[1].choices = nullptr,
+               "drag model \"law\": parameter \"manner\": it is a choice without choices.");
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ TEST(SearchLevels, GoFromTheCaseToTheInstallation) {
   const Variable data("XDG_DATA_HOME", "/home/me/data");
   const auto levels = search_levels({"/case/plugins"});
   EXPECT_THAT(told(levels),
-              testing::ElementsAre("plugin_paths of the case /case/plugins", "SIMILITUDE_PLUGIN_PATH /a", "SIMILITUDE_PLUGIN_PATH /b",
-                                   "user folder /home/me/data/similitude/plugins"));
+              testing::ElementsAre("plugin_paths of the case /case/plugins", "SIMILITUDE_PLUGIN_PATH /a",
+                                   "SIMILITUDE_PLUGIN_PATH /b", "user folder /home/me/data/similitude/plugins"));
   EXPECT_EQ(levels.back().name, "install folder");
 }
 

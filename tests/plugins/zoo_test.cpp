@@ -1,10 +1,9 @@
 // Every way a file can fail to be a plugin, and the words the user gets. The texts are meant literally.
 
-#include <sys/stat.h>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <similitude/plugin.h>
+#include <sys/stat.h>
 
 #include "cage.h"
 #include "loader/describe.h"
@@ -22,7 +21,8 @@ std::string text_of_layout_hash() {
 }
 
 const std::string k_rebuild =
-    "Rebuild it against this program: cmake -B build -Dsimilitude_DIR=<prefix>/lib/cmake/similitude && cmake --build build";
+    "Rebuild it against this program: cmake -B build -Dsimilitude_DIR=<prefix>/lib/cmake/similitude && cmake --build "
+    "build";
 const std::string k_this_program = std::string(" | program: ") + compiler() + ", " + instruction_set() + ")";
 const std::string k_both_sides = "\n(plugin: zoo 1.0.0, x86-64" + k_this_program;
 
@@ -54,9 +54,10 @@ TEST(Zoo, ASoundPluginIsTaken) {
 }
 
 TEST(Zoo, ALibraryWithoutATagIsNoPlugin) {
-  expect_refusal("no_tag", "it is no plugin: it has no section .similitude_tag.",
-                 "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it "
-                 "elsewhere.");
+  expect_refusal(
+      "no_tag", "it is no plugin: it has no section .similitude_tag.",
+      "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it "
+      "elsewhere.");
 }
 
 TEST(Zoo, ATagWithoutAnEntrySymbolIsRefused) {
@@ -69,9 +70,10 @@ TEST(Zoo, ATagOfAnotherSizeIsRefused) {
 }
 
 TEST(Zoo, ATagWithAnotherMagicIsNotOurs) {
-  expect_refusal("wrong_magic", "its tag starts with \"XIMILTD\", not with \"SIMILTD\".",
-                 "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it "
-                 "elsewhere.");
+  expect_refusal(
+      "wrong_magic", "its tag starts with \"XIMILTD\", not with \"SIMILTD\".",
+      "Build it with similitude_add_plugin() and name its model with a macro such as SIMILITUDE_DRAG_LAW, or move it "
+      "elsewhere.");
 }
 
 TEST(Zoo, AnotherMajorIsRefusedWithBothSides) {
@@ -104,10 +106,11 @@ TEST(Zoo, AnUndefinedSymbolIsNamed) {
 
 TEST(Zoo, AChangedControlWordIsRefusedAndSetBack) {
   const std::uint32_t before = floating_point_control();
-  expect_refusal("flush_to_zero",
-                 "loading it changed the processor's floating-point control word from 0x1f80 to 0x9fc0; it was set back.",
-                 "Rebuild it without -ffast-math and -Ofast, whose start-up code flushes small numbers to zero in the whole "
-                 "program.");
+  expect_refusal(
+      "flush_to_zero",
+      "loading it changed the processor's floating-point control word from 0x1f80 to 0x9fc0; it was set back.",
+      "Rebuild it without -ffast-math and -Ofast, whose start-up code flushes small numbers to zero in the whole "
+      "program.");
   EXPECT_EQ(floating_point_control(), before);
 }
 
@@ -118,7 +121,8 @@ TEST(Zoo, AChangedControlWordIsRefusedAgainAlthoughStartUpCodeRunsOnce) {
 }
 
 TEST(Zoo, ADefaultOutsideItsRangeIsRefused) {
-  expect_refusal("bad_default", "drag model \"bad_default\": parameter \"factor\": default 5 is outside its range [0, 1].",
+  expect_refusal("bad_default",
+                 "drag model \"bad_default\": parameter \"factor\": default 5 is outside its range [0, 1].",
                  "This is for the plugin's author to mend. The macros of the SDK's headers fill these tables.");
 }
 

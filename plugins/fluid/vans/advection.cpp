@@ -8,7 +8,7 @@ template <Advection scheme>
 void carry_with(const Component& component, std::size_t direction, const double* velocity, const double* flux, double* out) {
   const Site* const sites = component.sites[direction].data();
   const Index count = static_cast<Index>(component.sites[direction].size());
-#pragma omp parallel for simd schedule(static)
+#pragma omp parallel for simd schedule(static) if (parallel : count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
     const Site& s = sites[n];
     const double mean_flux = 0.5 * (flux[s.flux[0]] + flux[s.flux[1]]);
@@ -40,7 +40,7 @@ void collect(const Component& component, std::size_t direction, double spacing, 
   const Index count = static_cast<Index>(component.faces.size());
   const double whole = 1 / spacing;
   const double half_box = direction == component.axis ? 2 / spacing : whole;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
     const ActiveFace& face = component.faces[u(n)];
     const double per_length = n < component.open_count ? whole : half_box;

@@ -14,7 +14,7 @@ namespace {
 template <class Visit>
 void for_each_cell(const Staggered& mesh, std::size_t axis, Visit&& visit) {
   const Index step = mesh.face_stride(axis, axis);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (mesh.cell_count >= k_worth_threads)
   for (Index k = 0; k < mesh.cells[2]; ++k) {
     for (Index j = 0; j < mesh.cells[1]; ++j) {
       const Index cell = mesh.cell({0, j, k}), face = mesh.face(axis, {0, j, k});
@@ -57,7 +57,7 @@ void GasSolver::set_face_fractions(const double* gas_fraction, FaceFields& fract
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
     for (Index n = 0; n < count; ++n) {
       const ActiveFace& face = component.faces[u(n)];
       fraction[a][u(face.face)] = 0.5 * (gas_fraction[face.below] + gas_fraction[face.above]);
@@ -69,7 +69,7 @@ void GasSolver::set_face_fractions(const double* gas_fraction, FaceFields& fract
 
 void GasSolver::set_flux(const FaceFields& fraction) {
   for (std::size_t a = 0; a < 3; ++a) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (mesh_.face_count[a] >= k_worth_threads)
     for (Index f = 0; f < mesh_.face_count[a]; ++f) flux_[a][u(f)] = fraction[a][u(f)] * velocity_[a][u(f)];
   }
 }
@@ -90,7 +90,7 @@ void GasSolver::set_gradient(const double* field, PatchValue&& patch_value) {
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     const double per_length = 1 / mesh_.spacing[a];
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (component.open_count >= k_worth_threads)
     for (Index n = 0; n < component.open_count; ++n) {
       const ActiveFace& face = component.faces[u(n)];
       gradient_[a][u(face.face)] = (field[face.above] - field[face.below]) * per_length;
@@ -138,7 +138,7 @@ void GasSolver::predict(const similitude_gas_step& step, double share, FaceField
     const double* const push = step.exchange_velocity + static_cast<Index>(a) * mesh_.cell_count;
     const double* const owed = step.remainder + static_cast<Index>(a) * mesh_.cell_count;
     const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
     for (Index n = 0; n < count; ++n) {
       const ActiveFace& face = component.faces[u(n)];
       const std::size_t f = u(face.face);
@@ -161,7 +161,7 @@ SolveReport GasSolver::project(const similitude_gas_step& step, double& throughp
   pressure_equation_.set_coefficients({coefficient_[0].data(), coefficient_[1].data(), coefficient_[2].data()});
   set_flux(fraction_);
   divergence_of(flux_, right_side_);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (mesh_.cell_count >= k_worth_threads)
   for (Index c = 0; c < mesh_.cell_count; ++c) {
     right_side_[u(c)] += (step.gas_fraction[c] - step.gas_fraction_old[c]) / step.dt;
   }
@@ -175,14 +175,14 @@ SolveReport GasSolver::project(const similitude_gas_step& step, double& throughp
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
     for (Index n = 0; n < count; ++n) {
       const std::size_t f = u(component.faces[u(n)].face);
       velocity_[a][f] -= mobility_[a][f] * gradient_[a][f];
     }
     copy_periodic_faces(mesh_, a, velocity_[a]);
   }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (mesh_.cell_count >= k_worth_threads)
   for (Index c = 0; c < mesh_.cell_count; ++c) step.pressure[c] += increment_[u(c)];
   return solved;
 }

@@ -64,7 +64,7 @@ void GasSolver::set_active_shares(std::size_t axis) {
 
 double GasSolver::measure_throughput(const similitude_gas_step& step) const {
   double largest = k_still / step.dt;
-#pragma omp parallel for schedule(static) reduction(max : largest)
+#pragma omp parallel for schedule(static) reduction(max : largest) if (mesh_.cell_count >= k_worth_threads)
   for (Index k = 0; k < mesh_.cells[2]; ++k) {
     for (Index j = 0; j < mesh_.cells[1]; ++j) {
       for (Index i = 0; i < mesh_.cells[0]; ++i) {
@@ -92,7 +92,7 @@ void GasSolver::fill_cells(const similitude_gas_step& step) {
     const Component& component = components_[a];
     const Index count = static_cast<Index>(component.faces.size());
     std::vector<double>& force = gradient_[a];  // faces; zero where nothing is active
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
     for (Index n = 0; n < count; ++n) {
       const std::size_t f = u(component.faces[u(n)].face);
       force[f] = viscous_[a][u(n)] - force[f];
@@ -101,7 +101,7 @@ void GasSolver::fill_cells(const similitude_gas_step& step) {
     double* const velocity = step.velocity + static_cast<Index>(a) * mesh_.cell_count;
     double* const stress = step.stress_force + static_cast<Index>(a) * mesh_.cell_count;
     const Index stride = mesh_.face_stride(a, a);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (mesh_.cell_count >= k_worth_threads)
     for (Index k = 0; k < mesh_.cells[2]; ++k) {
       for (Index j = 0; j < mesh_.cells[1]; ++j) {
         for (Index i = 0; i < mesh_.cells[0]; ++i) {
@@ -119,7 +119,7 @@ void GasSolver::fill_report(const similitude_gas_step& step, double throughput, 
   divergence_of(flux_, divergence_);
   double residual = 0, courant = 0;
   Index lost = mesh_.cell_count;  // first cell whose velocity is no number
-#pragma omp parallel for schedule(static) reduction(max : residual, courant) reduction(min : lost)
+#pragma omp parallel for schedule(static) reduction(max : residual, courant) reduction(min : lost) if (mesh_.cell_count >= k_worth_threads)
   for (Index k = 0; k < mesh_.cells[2]; ++k) {
     for (Index j = 0; j < mesh_.cells[1]; ++j) {
       for (Index i = 0; i < mesh_.cells[0]; ++i) {

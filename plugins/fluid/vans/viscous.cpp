@@ -7,7 +7,7 @@ void tension_along(const Component& component, double viscosity, double spacing,
   const std::vector<Site>& sites = component.sites[component.axis];
   const Index count = static_cast<Index>(sites.size());
   const double twice_per_length = 2 / spacing;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
     const Row cell = component.cell_of_site[u(n)];
     const Site& s = sites[u(n)];
@@ -22,7 +22,7 @@ void tension_across(const Component& component, std::size_t direction, double vi
   const std::vector<Site>& sites = component.sites[direction];
   const Index count = static_cast<Index>(sites.size());
   const double per_length = 1 / spacing[direction], per_length_along = 1 / spacing[component.axis];
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
     const Site& s = sites[u(n)];
     tension[u(n)] = viscosity * (s.shear * ((velocity[u(s.above)] - velocity[u(s.below)]) * per_length) +
@@ -35,7 +35,7 @@ void pull(const Component& component, std::size_t direction, double spacing, con
   const bool along = direction == component.axis;
   const Index count = along ? component.open_count : static_cast<Index>(component.faces.size());
   const double per_length = 1 / spacing;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
     const ActiveFace& face = component.faces[u(n)];
     force[u(n)] += (tension[u(face.high[direction])] - tension[u(face.low[direction])]) * per_length;

@@ -9,7 +9,8 @@ namespace {
 
 struct Still {
   void prepare() {
-    if (similitude::face_name({similitude::Axis::z, similitude::Side::high}) != "top") throw std::logic_error("the top is not the top.");
+    if (similitude::face_name({similitude::Axis::z, similitude::Side::high}) != "top")
+      throw std::logic_error("the top is not the top.");
   }
 };
 
@@ -21,4 +22,5 @@ constexpr similitude_fluid_functions k_functions{
 
 }  // namespace
 
-SIMILITUDE_PLUGIN(similitude::describe_model<Still>("fluid", &k_functions, {"org.example.still", "1.0.0", "A gas at rest"}))
+SIMILITUDE_PLUGIN(similitude::describe_model<Still>("fluid", &k_functions,
+                                                    {"org.example.still", "1.0.0", "A gas at rest"}))

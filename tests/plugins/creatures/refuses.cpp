@@ -1,6 +1,6 @@
-#include "creature.h"
-
 #include <cstring>
+
+#include "creature.h"
 
 /// Refuses to make a model: in words above 0.5, in a text without an end at 0.25, without a word below.
 static void* refuse(const similitude_host*, const similitude_bed*, const similitude_value* values, uint32_t,
