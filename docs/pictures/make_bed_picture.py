@@ -54,7 +54,7 @@ def draw_gas(axes, file):
     gas = read(vtkXMLImageDataReader(), file)
     nx, ny, nz = (n - 1 for n in gas.GetDimensions())
     speed = column(gas.GetCellData(), "gas_speed [m/s]").reshape(nz, ny, nx)
-    plane = speed[:, (ny - 1) // 2:ny // 2 + 1, :].mean(axis=1)      # the central plane, between two cells if ny is even
+    plane = speed[:, (ny - 1) // 2:ny // 2 + 1, :].mean(axis=1)   # the central plane, or two layers about it
     x0, x1, _, _, z0, z1 = gas.GetBounds()
     axes.imshow(plane, origin="lower", extent=(x0, x1, z0, z1), cmap="Greys", vmin=0,
                 vmax=plane.max() / GREYS_USED, interpolation="bilinear", zorder=0)
@@ -93,7 +93,11 @@ def bed_of(folder):
     """Size of the bed and its plates [m], as view.py draws them."""
     with open(os.path.join(folder, "view.py"), encoding="utf-8") as script:
         lines = script.readlines()
-    value = lambda name: json.loads(next(l for l in lines if l.startswith(name)).split(" = ", 1)[1].rsplit("   #", 1)[0])
+
+    def value(name):
+        line = next(line for line in lines if line.startswith(name + " = "))
+        return json.loads(line.split(" = ", 1)[1].rsplit("   #", 1)[0])
+
     return value("SIZE"), value("PLATES")
 
 

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+// A matrix of a few dozen rows: Eigen's vector code gains nothing and trips GCC 12's warnings.
+#define EIGEN_DONT_VECTORIZE
+#include <Eigen/Cholesky>
+
 namespace similitude::multigrid {
 
 namespace {
@@ -21,44 +25,48 @@ void in_order(const Level& level, Visit&& visit) {
 
 }  // namespace
 
+/// L D L^T without square roots: a bed scaled by powers of two keeps its bits.
+struct Coarsest::Factors {
+  explicit Factors(Index count) : matrix(count, count), decomposition(count), unknown(count), outlet(u(count)) {}
+  Eigen::MatrixXd matrix;
+  Eigen::LDLT<Eigen::MatrixXd> decomposition;
+  Eigen::VectorXd unknown;
+  std::vector<double> outlet;   // coefficient to pressure patches, by row
+};
+
 Coarsest::Coarsest(const Level& level)
-    : count_(level.cell_count()), matrix_(u(count_ * count_)), unknown_(u(count_)), region_(u(count_)) {
+    : count_(level.cell_count()), factors_(std::make_unique<Factors>(count_)), region_(u(count_)) {
   stack_.reserve(u(count_));
 }
+Coarsest::~Coarsest() = default;
 
 void Coarsest::factor(const Level& level) {
-  std::fill(matrix_.begin(), matrix_.end(), 0.0);
+  Eigen::MatrixXd& matrix = factors_->matrix;
+  matrix.setZero();
   in_order(level, [&](Index row, Index c) {
     // A cell cut off on all sides keeps its own zero.
-    entry(row, row) += level.diagonal[u(c)] > 0 ? level.diagonal[u(c)] : 1;
+    matrix(row, row) += level.diagonal[u(c)] > 0 ? level.diagonal[u(c)] : 1;
     const Triple at{row % level.n[0], row / level.n[0] % level.n[1], row / (level.n[0] * level.n[1])};
     Index stride = 1;
     for (std::size_t a = 0; a < 3; ++a) {
       const Index below = at[a] > 0 ? row - stride : row + (level.n[a] - 1) * stride;
       const double link = level.weight[a][u(c)];
       if (link > 0) {
-        entry(row, below) -= link;
-        entry(below, row) -= link;
+        matrix(row, below) -= link;
+        matrix(below, row) -= link;
       }
       stride *= level.n[a];
     }
   });
   pin_closed_regions(level);
-  for (Index column = 0; column < count_; ++column) {
-    const double inverse = 1 / entry(column, column);
-    entry(column, column) = inverse;
-    for (Index row = column + 1; row < count_; ++row) {
-      const double factor = entry(row, column) * inverse;
-      for (Index other = column + 1; other <= row; ++other) entry(row, other) -= factor * entry(other, column);
-    }
-    for (Index row = column + 1; row < count_; ++row) entry(row, column) *= inverse;
-  }
+  factors_->decomposition.compute(matrix);
 }
 
 void Coarsest::pin_closed_regions(const Level& level) {
+  Eigen::MatrixXd& matrix = factors_->matrix;
   std::fill(region_.begin(), region_.end(), Index{-1});
   in_order(level, [&](Index row, Index c) {
-    unknown_[u(row)] = (level.outlet[0][u(c)] + level.outlet[1][u(c)]) + level.outlet[2][u(c)];
+    factors_->outlet[u(row)] = (level.outlet[0][u(c)] + level.outlet[1][u(c)]) + level.outlet[2][u(c)];
   });
   for (Index seed = 0; seed < count_; ++seed) {
     if (region_[u(seed)] >= 0) continue;
@@ -69,10 +77,10 @@ void Coarsest::pin_closed_regions(const Level& level) {
     while (!stack_.empty()) {
       const Index row = stack_.back();
       stack_.pop_back();
-      reaches_outlet = reaches_outlet || unknown_[u(row)] > 0;
-      largest = std::max(largest, entry(row, row));
+      reaches_outlet = reaches_outlet || factors_->outlet[u(row)] > 0;
+      largest = std::max(largest, matrix(row, row));
       for (Index other = 0; other < count_; ++other) {
-        if (entry(row, other) == 0 || region_[u(other)] >= 0) continue;
+        if (matrix(row, other) == 0 || region_[u(other)] >= 0) continue;
         region_[u(other)] = seed;
         stack_.push_back(other);
       }
@@ -80,26 +88,17 @@ void Coarsest::pin_closed_regions(const Level& level) {
     if (reaches_outlet) continue;
     for (Index row = seed; row < count_; ++row) {
       for (Index other = seed; other < count_; ++other) {
-        if (region_[u(row)] == seed && region_[u(other)] == seed) entry(row, other) += largest;
+        if (region_[u(row)] == seed && region_[u(other)] == seed) matrix(row, other) += largest;
       }
     }
   }
 }
 
 void Coarsest::solve(Level& level) {
-  in_order(level, [&](Index row, Index c) { unknown_[u(row)] = level.b[u(c)]; });
-  for (Index row = 0; row < count_; ++row) {
-    double value = unknown_[u(row)];
-    for (Index other = 0; other < row; ++other) value -= entry(row, other) * unknown_[u(other)];
-    unknown_[u(row)] = value;
-  }
-  for (Index row = 0; row < count_; ++row) unknown_[u(row)] *= entry(row, row);
-  for (Index row = count_; row-- > 0;) {
-    double value = unknown_[u(row)];
-    for (Index other = row + 1; other < count_; ++other) value -= entry(other, row) * unknown_[u(other)];
-    unknown_[u(row)] = value;
-  }
-  in_order(level, [&](Index row, Index c) { level.x[u(c)] = unknown_[u(row)]; });
+  Eigen::VectorXd& unknown = factors_->unknown;
+  in_order(level, [&](Index row, Index c) { unknown(row) = level.b[u(c)]; });
+  factors_->decomposition.solveInPlace(unknown);
+  in_order(level, [&](Index row, Index c) { level.x[u(c)] = unknown(row); });
 }
 
 }  // namespace similitude::multigrid

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "output/resolved_case.h"
 #include "output/sha256.h"
 #include "output/whole_file.h"
 
@@ -83,10 +82,6 @@ std::string utc_now() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
-}
-
-void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const RealScene& real) {
-  write_manifest(directory, manifest, resolved_case_json(real));
 }
 
 void write_manifest(const OutputDirectory& directory, const Manifest& m, const std::string& resolved_case) {

@@ -50,7 +50,5 @@ std::string utc_now();
 /// Replaces manifest.json as a whole; called at the start and at the end. `resolved_case`: CaseFile::resolved, JSON
 /// text of a case file with every default filled in, kept under "case". Throws OutputError.
 void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const std::string& resolved_case);
-/// As above, with resolved_case_json(real) (output/resolved_case.h): for a bed that came from no case file.
-void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const RealScene& real);
 
 }  // namespace similitude

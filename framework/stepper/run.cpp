@@ -103,7 +103,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   out.flush();
 
   Manifest manifest = first_manifest(case_file, assembly, options, threads, simulation.particles().size());
-  write_manifest(directory, manifest, assembly.real);
+  write_manifest(directory, manifest, case_file.resolved);
   write_view_script(directory, assembly.real);
   RunOutputs outputs(directory, assembly);
   Progress progress(std::cerr, Progress::screen_of_standard_error(), end);
@@ -125,7 +125,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
     manifest.simulated_s = simulation.time() / assembly.results.time;
     manifest.state_hash = state_hash(simulation.particles(), exchange != nullptr ? &simulation.gas() : nullptr,
                                      exchange != nullptr ? &exchange->gas_fraction : nullptr);
-    write_manifest(directory, manifest, assembly.real);
+    write_manifest(directory, manifest, case_file.resolved);
   };
 
   try {
