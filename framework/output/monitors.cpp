@@ -60,10 +60,15 @@ double outlet_pressure(const Grid& grid, const GasFields& gas) {
   return sum / static_cast<double>(layer);
 }
 
+/// [Pa], simulated: mean over the bottom face, to which the lowest cells' pressure is carried with the gradient above
+/// them: half a cell of a packed bed is not to be left out.
 double bottom_pressure(const Grid& grid, const GasFields& gas) {
   const std::size_t layer = grid.cell_count() / static_cast<std::size_t>(grid.cells(2));
   double sum = 0;
-  for (std::size_t c = 0; c < layer; ++c) sum += gas.pressure[c];
+  for (std::size_t c = 0; c < layer; ++c) {
+    const double above = grid.cells(2) > 1 ? gas.pressure[c + layer] : gas.pressure[c];
+    sum += gas.pressure[c] + (gas.pressure[c] - above) / 2;
+  }
   return sum / static_cast<double>(layer);
 }
 
@@ -92,7 +97,7 @@ void observe_solids(const ParticleStore& store, const MapBack& map, Monitors& m)
     const double per_mass_ratio = map.ratios.diameter * map.ratios.angular_velocity;
     m.rotational_energy = map.solids_mass(spin_energy) / (per_mass_ratio * per_mass_ratio);
   }
-  m.bed_height = map.length(bed_height(store));
+  m.bed_height = map.length(expanded_bed_height(store));
   if (mass > 0) m.mean_height = map.length(height / mass);
   m.largest_speed = map.velocity(std::sqrt(largest));
 }
@@ -121,7 +126,7 @@ void observe_gas(const Observed& o, const MapBack& map, Monitors& m) {
 
 }  // namespace
 
-double bed_height(const ParticleStore& particles) {
+double expanded_bed_height(const ParticleStore& particles) {
   struct Layer {
     double z, mass;
   };

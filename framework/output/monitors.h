@@ -24,14 +24,14 @@ struct Monitors {
   std::array<double, 3> solids_momentum{};  // [kg m/s]
   double kinetic_energy = 0;                // [J], translation of the solids
   double rotational_energy = k_none;        // [J]
-  double bed_height = k_none;               // [m], see bed_height()
+  double bed_height = k_none;               // [m], see expanded_bed_height()
   double mean_height = k_none;              // [m], of the solids' mass
   double largest_speed = 0;                 // [m/s]
   double largest_overlap = 0;               // [% of the smaller diameter], since the last row
   double contacts = 0;
   double gas_mass = k_none;                                    // [kg]
   std::array<double, 3> gas_momentum{k_none, k_none, k_none};  // [kg m/s]
-  double pressure_drop = k_none;                               // [Pa], mean over the lowest cells minus the outlets'
+  double pressure_drop = k_none;                               // [Pa], mean over the bottom face minus the outlets'
   double smallest_gas_fraction = k_none;                       // [-]
   double courant = k_none;                                     // [-]
   double gas_mass_residual = k_none;                           // [-]
@@ -55,7 +55,7 @@ Monitors observe(const Observed& simulated, const MapBack& map_back);
 
 /// [m]: 95 % of the solids' mass lies below 0.95 times this height. It is the height of a level bed of even density,
 /// and a few particles thrown high do not move it. NaN without particles.
-double bed_height(const ParticleStore& particles);
+double expanded_bed_height(const ParticleStore& particles);
 
 /// monitors.csv; every column is named with its unit.
 class MonitorFile {
