@@ -25,7 +25,7 @@ int refuse(const std::exception& error, ExitStatus status) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  similitude::app::let_waiting_threads_sleep(argv);
+  similitude::app::let_waiting_threads_sleep_soon(argv);
   CLI::App app("Similitude: gas-solid beds by CFD-DEM, with the scaling law as a component.", "similitude");
   app.set_version_flag("--version", std::string("similitude ") + similitude::program_version() + ", plugin ABI " +
                                         std::to_string(SIMILITUDE_ABI_MAJOR) + "." + std::to_string(SIMILITUDE_ABI_MINOR));

@@ -6,10 +6,11 @@
 
 namespace similitude::app {
 
-void let_waiting_threads_sleep(char** arguments) {
-  constexpr const char* k_policy = "OMP_WAIT_POLICY";
-  if (std::getenv(k_policy) != nullptr) return;
-  if (::setenv(k_policy, "passive", 0) != 0) return;
+void let_waiting_threads_sleep_soon(char** arguments) {
+  constexpr const char* k_spin_count = "GOMP_SPINCOUNT";
+  constexpr const char* k_turns = "3000";
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr || std::getenv(k_spin_count) != nullptr) return;
+  if (::setenv(k_spin_count, k_turns, 0) != 0) return;
   ::execv("/proc/self/exe", arguments);
 }
 

@@ -2,12 +2,13 @@
 
 namespace similitude::app {
 
-/// Starts the program again with OMP_WAIT_POLICY=passive unless the user has chosen a policy. Returns only if that is the
-/// case already or cannot be had.
+/// Starts the program again with a short spin count for waiting threads, unless the user has chosen how they wait. Returns
+/// only if that is the case already or cannot be had.
 ///
-/// Threads that spin at barriers gain nothing here (a sub-step takes milliseconds) and lose much when the machine has
-/// other work: a two-thread run beside one compiler was four times slower. The OpenMP library reads the policy when it
-/// is loaded, before main(), so setting it from inside needs a second start.
-void let_waiting_threads_sleep(char** arguments);
+/// A gas step has hundreds of short parallel loops. Threads that sleep at once at every barrier make a run on two free
+/// cores 1.6 times slower; threads that spin long make a run beside other work up to four times slower. A few
+/// thousand turns (some microseconds) cost neither. The OpenMP library reads the count when it is loaded, before
+/// main(), so setting it from inside needs a second start.
+void let_waiting_threads_sleep_soon(char** arguments);
 
 }  // namespace similitude::app

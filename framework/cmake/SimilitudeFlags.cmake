@@ -53,5 +53,5 @@ function(similitude_test name)
     set(labels ${ARG_LABELS})
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${labels}"
-    ENVIRONMENT "OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=2")   # tests run side by side: waiting threads must not spin
+    ENVIRONMENT "OMP_WAIT_POLICY=passive;OMP_NUM_THREADS=1")   # tests run side by side; those of threads ask for them
 endfunction()

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double k_steps_per_contact = 20;     // DEM: t_c/20, as Fluent and MFIX advise between 15 and 50
 constexpr double k_advised_courant = 0.5;      // the TVD advection's own bound
-constexpr double k_jet_overshoot = 1.5;        // gas between particles is faster than the inlet's superficial speed
+constexpr double k_jet_overshoot = 2;          // interstitial over superficial speed where a jet meets a packed bed
 constexpr double k_motion_per_step = 0.1;      // of a diameter per sub-step, of a cell per gas step: lists and K stay valid
 constexpr double k_never = std::numeric_limits<double>::infinity();
 

@@ -111,6 +111,12 @@ void GasSolver::fill_cells(const similitude_gas_step& step) {
         }
       }
     }
+    // An inlet face carries the superficial velocity of the empty duct outside; particles inside meet the same flux
+    // between themselves. With the duct's value the lowest layer of a bed would feel half its drag.
+    for (const PatchFace& inlet : component.velocity) {
+      const double outside = velocity_[a][u(inlet.face)];
+      velocity[inlet.cell] += 0.5 * (outside / step.gas_fraction[inlet.cell] - outside);
+    }
   }
 }
 

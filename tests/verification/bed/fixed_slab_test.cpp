@@ -52,7 +52,8 @@ TEST_P(FixedSlab, HasTheClosedFormPressureDropOfItsDragLaw) {
 similitude: 1
 title: gas through a slab of fixed spheres
 scene:
-  domain:    {{size: [{0:.17g} m, {0:.17g} m, {1:.17g} m], cell: {2:.17g} m, periodic: [x, y]}}
+  domain:    {{size: [{0:.17g} m, {0:.17g} m, {1:.17g} m], cell: {2:.17g} m}}
+  periodic:  [x, y]
   gravity:   [0 m/s^2, 0 m/s^2, 0 m/s^2]
   gas:       {{density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}}
   particles: {{sphere: {{diameter: 1 mm, density: 1e9 kg/m^3}}}}

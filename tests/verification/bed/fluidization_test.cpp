@@ -13,16 +13,17 @@ namespace {
 
 constexpr double k_diameter = 1e-3, k_density = 1040, k_gas_density = 1.225, k_gas_viscosity = 1.79e-5, k_gravity = 9.81;
 constexpr double k_edge = 6e-3;        // [m], laterally periodic
-constexpr double k_full_speed = 0.75;  // [m/s], at the end of the ramp
+constexpr double k_full_speed = 0.50;  // [m/s], at the end of the ramp
 constexpr double k_ramp = 1.5;         // [s]
-constexpr int k_count = 1700;          // at a solids fraction of 0.58 a bed of 43 diameters
+constexpr int k_count = 2400;          // a bed of 58 diameters, so that its looser ends weigh little
 
 std::string bed_case(const std::string& drag) {
   return fmt::format(R"(
 similitude: 1
 title: a laterally periodic bed under a slow ramp of gas
 scene:
-  domain:    {{size: [6 mm, 6 mm, 90 mm], cell: 2 mm, periodic: [x, y]}}
+  domain:    {{size: [6 mm, 6 mm, 120 mm], cell: 2 mm}}
+  periodic:  [x, y]
   gas:       {{density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}}
   particles: {{alumina: {{diameter: 1 mm, density: 1040 kg/m^3, count: {}}}}}
   bed:       {{fill: settle, cache: false}}
@@ -119,7 +120,7 @@ TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
       gas_fraction_sum += mean_gas_fraction(*bed, bed->filled.height);
       ++fixed_samples;
     }
-    if (velocity > 0.6) {
+    if (velocity > 0.42) {
       plateau += drop;
       ++plateau_samples;
     }

@@ -44,7 +44,8 @@ TEST(PeriodicBox, KeepsTheMomentumOfGasParticlesAndRemainder) {
 similitude: 1
 title: a cloud of spheres in a periodic box
 scene:
-  domain:    {size: [20 mm, 20 mm, 20 mm], cell: 2.5 mm, periodic: [x, y, z]}
+  domain:    {size: [20 mm, 20 mm, 20 mm], cell: 2.5 mm}
+  periodic:  [x, y, z]
   gravity:   [0 m/s^2, 0 m/s^2, 0 m/s^2]
   gas:       {density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}
   particles: {alumina: {diameter: 1 mm, density: 1040 kg/m^3}}

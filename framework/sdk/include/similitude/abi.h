@@ -281,7 +281,8 @@ typedef struct similitude_gas_step {
   const double* exchange_velocity;  /* [kg/(m^2 s^2)], 3 x cells: sum of K v per volume */
   const double* remainder;          /* [N/m^3], 3 x cells: impulse owed to the gas from the last step; add explicitly */
   /* in and out: last step's values on entry */
-  double* velocity;                 /* [m/s], 3 x cells, interstitial, mean of the two faces */
+  double* velocity;                 /* [m/s], 3 x cells, interstitial, mean of the two faces (an inlet face: of its flux between
+                                       the cell's particles) */
   double* pressure;                 /* [Pa], cells, full pressure minus rho g.x */
   double* stress_force;             /* [N/m^3], 3 x cells: -grad p + div tau, the force per volume on what is immersed;
                                        one-sided at walls and baffles */
