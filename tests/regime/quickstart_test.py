@@ -10,6 +10,7 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
+import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
@@ -41,6 +42,13 @@ class Quickstart(unittest.TestCase):
     def tearDownClass(cls):
         cls.folder.cleanup()
 
+    def last_frame(self, index, reader_type):
+        entry = list(xml.etree.ElementTree.parse(os.path.join(self.out, index)).getroot().iter("DataSet"))[-1]
+        reader = reader_type()
+        reader.SetFileName(os.path.join(self.out, entry.get("file")))
+        reader.Update()
+        return reader.GetOutput()
+
     def means(self, sampler, z, low, high):
         """Means of the bins whose centres lie between low and high; empty bins are left out."""
         rows = self.profile[(sampler, z)]
@@ -49,13 +57,18 @@ class Quickstart(unittest.TestCase):
     def test_the_spout_rises_between_the_plates(self):
         self.assertGreater(max(self.means("vertical_velocity [m/s]", 0.1, *PLATES)), 0.5)
 
-    def test_the_annulus_between_plate_and_wall_is_packed_and_slow(self):
-        for low, high in ((0.0, PLATES[0]), (PLATES[1], 0.150)):
-            fractions = self.means("gas_fraction [1]", 0.1, low + 0.005, high - 0.005)
-            self.assertGreater(len(fractions), 5)
-            self.assertLess(sum(fractions) / len(fractions), 0.5)
-            speeds = self.means("vertical_velocity [m/s]", 0.1, low, high)
-            self.assertLess(max(abs(speed) for speed in speeds), 0.2)
+    def test_the_annulus_between_plate_and_wall_is_packed_and_slow_at_the_end(self):
+        # Not the mean over the window: its first half still holds the bubble that the starting jet blew into the annulus.
+        particles = self.last_frame("particles.pvd", vtk.vtkXMLPolyDataReader)
+        place = vtk_to_numpy(particles.GetPoints().GetData())
+        speed = numpy.linalg.norm(vtk_to_numpy(particles.GetPointData().GetArray("velocity [m/s]")), axis=1)
+        diameter = vtk_to_numpy(particles.GetPointData().GetArray("diameter [m]"))
+        bottom, top, depth = 0.04, 0.10, 0.02   # [m]
+        for low, high in ((0.0, PLATES[0] - 0.001), (PLATES[1] + 0.001, 0.150)):
+            inside = (place[:, 0] > low) & (place[:, 0] < high) & (place[:, 2] > bottom) & (place[:, 2] < top)
+            solids = (math.pi / 6 * diameter[inside] ** 3).sum() / ((high - low) * depth * (top - bottom))
+            self.assertGreater(solids, 0.5)
+            self.assertLess(speed[inside].mean(), 0.1)
 
     def test_no_particle_is_lost(self):
         last = self.monitors[-1]
