@@ -11,7 +11,7 @@ cd "$(dirname "$0")"
 test_packages=(
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-vtk9 python3-numpy python3-matplotlib   # read results back, draw the bed
-  python3-jsonschema                                      # validates the schema of case files
+  python3-jsonschema python3-yaml                         # validate the schema of case files
 )
 ci_packages=(clang valgrind)
 long_packages=(paraview xvfb)

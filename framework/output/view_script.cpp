@@ -142,6 +142,9 @@ def main():
     GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     view.ViewTime = args.time if args.time is not None else max(times)
     Render(view)
+    for shown in view.Representations:      # ranges of the frame that is shown, not of the first
+        if getattr(shown, "ColorArrayName", ["", ""])[1]:
+            shown.RescaleTransferFunctionToDataRange(False, True)
     look_from_the_front(view)
     Render(view)
     if args.screenshot:

@@ -143,24 +143,6 @@ TEST_F(VtkFiles, AreOpenedByAScriptThatPythonUnderstands) {
   EXPECT_EQ(std::system(("/usr/bin/python3 -m py_compile '" + (folder / "view.py").string() + "'").c_str()), 0);
 }
 
-// Debian's ParaView modules cannot be installed beside python3-vtk9. Where they are unpacked, this variable names the
-// folder (docs/reference/output-files.md says how), and there must be xvfb-run.
-TEST_F(VtkFiles, AreShownByParaView) {
-  const char* modules = std::getenv("SIMILITUDE_PARAVIEW_MODULES");
-  if (!modules) GTEST_SKIP() << "SIMILITUDE_PARAVIEW_MODULES is not set";
-  VtkWriter writer(directory, quarter_scale(), {});
-  const Gas gas = gas_in(grid);
-  for (const double time : {0.0, 0.1}) {
-    writer.particles(five_particles(false), time);
-    writer.fluid(grid, gas.fields, gas.fraction, time);
-  }
-  write_view_script(directory, small_bed<RealBed>(1));
-  const std::string command = "PYTHONPATH='" + std::string(modules) + "' xvfb-run -a /usr/bin/python3 '" +
-                              (folder / "view.py").string() + "' --screenshot '" + (folder / "bed.png").string() + "'";
-  EXPECT_EQ(std::system(command.c_str()), 0);
-  expect_picture(folder / "bed.png");
-}
-
 TEST_F(VtkFiles, AreDrawnAsAPictureWithoutAScreen) {
   if (std::system("/usr/bin/python3 -c 'import matplotlib' 2> /dev/null") != 0) GTEST_SKIP() << "no python3-matplotlib";
   VtkWriter writer(directory, quarter_scale(), {});
