@@ -62,8 +62,7 @@ void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& s
   }
   out << "  pipeline\n";
   for (const std::string& pass : simulation.pipeline()) out << "    " << pass << "\n";
-  out << fmt::format("  memory      {} bytes per particle, {:.1f} MB of contact lists\n\n",
-                     simulation.particles().bytes_per_particle(), 1e-6 * static_cast<double>(simulation.engine().list_bytes()));
+  out << fmt::format("  memory      {} bytes per particle, before contact lists\n\n", simulation.particles().bytes_per_particle());
 }
 
 ProgressState progress_of(const Simulation& simulation, const Assembly& assembly, const RunOutputs& outputs) {
