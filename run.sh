@@ -11,7 +11,7 @@ build_packages=(
   libyaml-cpp-dev                        # case files
   libvtk9-dev                            # ParaView files
   libcli11-dev                           # command line
-  libspdlog-dev libfmt-dev               # messages
+  libfmt-dev                             # messages
   nlohmann-json3-dev                     # manifests, --json
   libelf-dev                             # reads a plugin's tag before it is loaded
 )

@@ -1,41 +1,10 @@
-#include <algorithm>
 #include <cctype>
-#include <numeric>
 
 #include "loader/catalogue.h"
+#include "loader/nearest_name.h"
 
 namespace similitude {
 namespace {
-
-/// Levenshtein's distance: insertions, deletions and exchanges of a letter.
-std::size_t edits_between(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t exchange = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({exchange, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The model whose id is at most a third of the wanted word away (two letters at least), or null.
-const PluginEntry* nearest(const std::vector<const PluginEntry*>& models, const std::string& wanted) {
-  const PluginEntry* best = nullptr;
-  std::size_t least = std::max<std::size_t>(2, wanted.size() / 3) + 1;
-  for (const PluginEntry* model : models) {
-    const std::size_t edits = edits_between(wanted, model->descriptor->id);
-    if (edits < least) {
-      least = edits;
-      best = model;
-    }
-  }
-  return best;
-}
 
 /// A library called <other kind>_… is not where a model of `kind` is missing from.
 bool may_contain(const RefusedFile& file, const std::string& kind) {
@@ -49,6 +18,12 @@ std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text.empty() ? "none" : text;
+}
+
+std::vector<std::string> ids_of(const std::vector<const PluginEntry*>& models) {
+  std::vector<std::string> ids;
+  for (const PluginEntry* model : models) ids.emplace_back(model->descriptor->id);
+  return ids;
 }
 
 std::string capitalised(std::string text) {
@@ -65,10 +40,13 @@ void Catalogue::throw_no_such_model(const std::string& kind, const std::string& 
     if (kind.empty() || kind == plugin.descriptor->kind) models.push_back(&plugin);
 
   std::string help;
-  if (const PluginEntry* meant = nearest(models, id)) {
+  const std::string nearest = nearest_name(id, ids_of(models));
+  for (const PluginEntry* meant : models) {
+    if (meant->descriptor->id != nearest) continue;
     help += "Did you mean \"" + std::string(meant->descriptor->id) + "\" (" + meant->descriptor->version;
     if (!meant->file.empty()) help += ", from " + meant->file.string();
     help += ")?\n";
+    break;
   }
   help += capitalised(model) + "s found: " + listed(ids(kind)) + ".";
 

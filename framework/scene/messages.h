@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "loader/nearest_name.h"   // for whoever writes messages
 #include "scene/scene.h"
 
 namespace similitude {
@@ -16,8 +17,5 @@ class InputError : public std::runtime_error {
   InputError(const SourceMark& mark, const std::string& path, const std::string& what, const std::string& fix = "");
   explicit InputError(const std::string& what, const std::string& fix = "");
 };
-
-/// The nearest of `candidates` within a third of the word's length (at least 2 edits), or "".
-std::string nearest_name(const std::string& word, const std::vector<std::string>& candidates);
 
 }  // namespace similitude
