@@ -13,7 +13,7 @@ test_packages=(
   python3 python3-vtk9 python3-numpy python3-matplotlib   # read results back, draw the bed
   python3-jsonschema python3-yaml                         # validate the schema of case files
 )
-ci_packages=(clang valgrind)
+ci_packages=(clang libomp-dev)
 long_packages=(paraview xvfb)
 
 # run_ctest FOLDER ARGS…: the tests of a build folder, two at a time.
