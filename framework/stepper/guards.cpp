@@ -12,6 +12,7 @@ namespace {
 
 constexpr double k_overlap_to_warn = 0.05;       // of a diameter: a softer bed than the law was meant for
 constexpr double k_overlap_to_stop = 0.30;       // of a diameter: no sphere is left
+constexpr double k_courant_to_warn = 0.8;        // accuracy suffers, and a gust may pass the limit
 constexpr double k_courant_to_stop = 1.0;        // explicit advection is unbounded beyond
 constexpr double k_mass_residual_to_warn = 1e-5; // of the throughput, per step
 constexpr double k_smallest_gas_fraction = 0.10; // denser than any packing of overlapping spheres that means something
@@ -57,6 +58,11 @@ void Guards::check_gas(const similitude_gas_report& report, const similitude_sta
     throw SimulationError(fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; more than {} is unstable.",
                                       report.courant, time / ratios_.time, k_courant_to_stop),
                           fmt::format("Lower time.gas_dt by a factor {:.1f} or more.", report.courant / 0.5));
+  }
+  if (report.courant > k_courant_to_warn) {
+    warn_once(said_courant_, fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; beyond {} the run stops. "
+                                         "Lower time.gas_dt if that matters here.",
+                                         report.courant, time / ratios_.time, k_courant_to_stop));
   }
   if (report.mass_residual > k_mass_residual_to_warn) {
     warn_once(said_mass_, fmt::format("gas mass balance is off by {:.2g} of the throughput in one step at t = {:.6g} s",
