@@ -103,6 +103,12 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   return assembly;
 }
 
+MapBack map_back(const Assembly& assembly) {
+  MapBack map = map_back(assembly.real, assembly.ratios);
+  map.scaling_law = assembly.scaling.descriptor().id;
+  return map;
+}
+
 ContactModel softened_contact(const Assembly& assembly, double stiffness_factor) {
   ModelChoice choice = assembly.model.models.contact;
   for (auto& parameter : choice.parameters) {

@@ -6,6 +6,7 @@
 
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
+#include "output/map_back.h"
 #include "scene/scene.h"
 #include "similarity/ratios.h"
 
@@ -34,6 +35,9 @@ similitude_relevance relevance_of(const PluginEntry& effect, const similitude_be
 /// Creates the models of the scene and the simulated bed. Throws InputError for a scene that does not fit its cells and
 /// PluginError for a model that is missing or refuses its parameters.
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue);
+
+/// How this case's results come back to the real bed.
+MapBack map_back(const Assembly& assembly);
 
 /// The contact law with its stiffness multiplied, for settling only.
 ContactModel softened_contact(const Assembly& assembly, double stiffness_factor);

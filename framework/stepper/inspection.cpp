@@ -14,7 +14,6 @@
 namespace similitude {
 namespace {
 
-constexpr double k_settled_solids_fraction = 0.58;   // of poured spheres with friction
 constexpr double k_pairs_per_particle = 4;           // listed in a half list with its skin, settled bed (measured 3.5 ... 4)
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -73,15 +72,7 @@ double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
 }  // namespace
 
 std::int64_t expected_particles(const ModelScene& scene) {
-  double count = 0;
-  for (const ParticleClass& species : scene.particles) {
-    if (species.count) {
-      count += static_cast<double>(*species.count);
-    } else if (scene.bed.height) {
-      count += k_settled_solids_fraction * *scene.bed.height * scene.size[0] * scene.size[1] / sphere_volume(species.diameter);
-    }
-  }
-  return static_cast<std::int64_t>(std::llround(count));
+  return static_cast<std::int64_t>(std::llround(describe(scene).particle_count));
 }
 
 std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps) {

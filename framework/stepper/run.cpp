@@ -38,8 +38,7 @@ Manifest first_manifest(const CaseFile& case_file, const Assembly& assembly, con
   manifest.machine = this_machine();
   manifest.threads = threads;
   manifest.scaling = assembly.ratios;
-  manifest.map_back = map_back(assembly.real, assembly.ratios);
-  manifest.map_back.scaling_law = assembly.scaling.descriptor().id;
+  manifest.map_back = map_back(assembly);
   manifest.particles = particles;
   manifest.started = utc_now();
   return manifest;
@@ -116,14 +115,12 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
                              .simulated_s = simulation.time() / assembly.results.time,
                              .particle_steps = simulation.engine().report().particle_steps,
                              .stages = simulation.stage_times()});
-    const ExchangeFields* exchange = simulation.exchange();
     manifest.ended = utc_now();
     manifest.status = status;
     manifest.exit_status = exit_status;
     manifest.exit_reason = reason;
     manifest.simulated_s = simulation.time() / assembly.results.time;
-    manifest.state_hash = state_hash(simulation.particles(), exchange != nullptr ? &simulation.gas() : nullptr,
-                                     exchange != nullptr ? &exchange->gas_fraction : nullptr);
+    manifest.state_hash = state_hash(simulation.particles(), &simulation.gas(), &simulation.exchange().gas_fraction);
     write_manifest(directory, manifest, case_file.resolved);
   };
 

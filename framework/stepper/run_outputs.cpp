@@ -28,34 +28,29 @@ bool Schedule::due(double time) {
 RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly)
     : directory_(directory),
       assembly_(assembly),
-      map_back_(map_back(assembly.real, assembly.ratios)),
+      map_back_(map_back(assembly)),
       monitors_(directory),
       profiles_(profile_settings(assembly.real), map_back_),
       vtk_schedule_(assembly.model.output.vtk_every, 0),
       monitor_schedule_(assembly.model.output.monitor_every, 0),
       profile_schedule_(k_profile_interval * assembly.results.time, assembly.model.output.profiles.from) {
-  map_back_.scaling_law = assembly.scaling.descriptor().id;
   if (assembly.model.output.vtk_every > 0) vtk_.emplace(directory, map_back_, class_names(assembly.real));
 }
 
 void RunOutputs::write_frame(const Simulation& simulation) {
   vtk_->particles(simulation.particles(), simulation.time());
-  if (const ExchangeFields* exchange = simulation.exchange()) {
-    vtk_->fluid(*assembly_.grid, simulation.gas(), exchange->gas_fraction, simulation.time());
-  }
+  vtk_->fluid(*assembly_.grid, simulation.gas(), simulation.exchange().gas_fraction, simulation.time());
   last_frame_time_ = simulation.time();
 }
 
 void RunOutputs::write_monitors(const Simulation& simulation) {
-  const ExchangeFields* exchange = simulation.exchange();
-  const similitude_gas_report gas_report = simulation.gas_report();
-  Observed observed{.time = simulation.time(),
+  const Observed observed{.time = simulation.time(),
                     .particles = &simulation.particles(),
                     .engine = &simulation.engine().report(),
                     .grid = assembly_.grid.get(),
-                    .gas = exchange != nullptr ? &simulation.gas() : nullptr,
-                    .gas_fraction = exchange != nullptr ? &exchange->gas_fraction : nullptr,
-                    .gas_report = exchange != nullptr ? &gas_report : nullptr,
+                    .gas = &simulation.gas(),
+                    .gas_fraction = &simulation.exchange().gas_fraction,
+                    .gas_report = &simulation.gas_report(),
                     .gas_density = assembly_.model.gas_density,
                     .largest_overlap_ratio = largest_overlap_};
   monitors_.write(similitude::observe(observed, map_back_));
@@ -68,9 +63,7 @@ void RunOutputs::observe(const Simulation& simulation) {
   largest_overlap_of_run_ = std::max(largest_overlap_of_run_, overlap);
   if (profile_schedule_.due(simulation.time())) {
     profiles_.sample(simulation.particles(), simulation.time());
-    if (const ExchangeFields* exchange = simulation.exchange()) {
-      profiles_.sample(*assembly_.grid, exchange->gas_fraction, simulation.time());
-    }
+    profiles_.sample(*assembly_.grid, simulation.exchange().gas_fraction, simulation.time());
   }
   if (monitor_schedule_.due(simulation.time())) write_monitors(simulation);
   if (vtk_ && vtk_schedule_.due(simulation.time())) write_frame(simulation);

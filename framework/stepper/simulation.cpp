@@ -26,11 +26,6 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   gas_.velocity.assign(3 * cells, 0);
   gas_.pressure.assign(cells, 0);
   gas_.stress_force.assign(3 * cells, 0);
-  if (!assembly.coupled()) {
-    unit_fraction_.assign(cells, 1);
-    no_exchange_.assign(3 * cells, 0);
-  }
-
   coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled());
   coupling_->start(particles_);
 
@@ -50,17 +45,12 @@ similitude_gas_step Simulation::gas_step() {
   step.struct_size = sizeof(step);
   step.time = static_cast<double>(steps_done_ + 1) * steps_.gas_dt();
   step.dt = steps_.gas_dt();
-  if (assembly_.coupled()) {
-    const ExchangeFields& exchange = coupling_->fields();
-    step.gas_fraction = exchange.gas_fraction.data();
-    step.gas_fraction_old = exchange.gas_fraction_old.data();
-    step.exchange = exchange.exchange.data();
-    step.exchange_velocity = exchange.exchange_velocity.data();
-    step.remainder = exchange.remainder.data();
-  } else {
-    step.gas_fraction = step.gas_fraction_old = unit_fraction_.data();
-    step.exchange = step.exchange_velocity = step.remainder = no_exchange_.data();
-  }
+  const ExchangeFields& exchange = coupling_->fields();   // eps = 1 and no exchange for a given gas
+  step.gas_fraction = exchange.gas_fraction.data();
+  step.gas_fraction_old = exchange.gas_fraction_old.data();
+  step.exchange = exchange.exchange.data();
+  step.exchange_velocity = exchange.exchange_velocity.data();
+  step.remainder = exchange.remainder.data();
   step.velocity = gas_.velocity.data();
   step.pressure = gas_.pressure.data();
   step.stress_force = gas_.stress_force.data();

@@ -38,7 +38,7 @@ class Simulation {
   double time() const { return static_cast<double>(steps_done_) * steps_.gas_dt(); }   // [s], simulated bed
   const ParticleStore& particles() const { return particles_; }
   const GasFields& gas() const { return gas_; }
-  const ExchangeFields* exchange() const { return coupling_ ? &coupling_->fields() : nullptr; }
+  const ExchangeFields& exchange() const { return coupling_->fields(); }
   const similitude_gas_report& gas_report() const { return gas_report_; }
   const Engine& engine() const { return *engine_; }
   const Coupling& coupling() const { return *coupling_; }
@@ -63,8 +63,6 @@ class Simulation {
   std::unique_ptr<Coupling> coupling_;
   std::vector<EffectPass> effects_;
   std::unique_ptr<Engine> engine_;
-  std::vector<double> no_exchange_;     // zeros that a given gas may read
-  std::vector<double> unit_fraction_;
   similitude_gas_report gas_report_{};
   Guards guards_;
   std::vector<Stage> stages_;

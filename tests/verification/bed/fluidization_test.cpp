@@ -58,7 +58,7 @@ double pressure_drop(const SmallBed& bed) {
 /// Volume mean of the gas fraction between 10 and 90 % of the bed's height.
 double mean_gas_fraction(const SmallBed& bed, double height) {
   const Grid& grid = *bed.assembly->grid;
-  const auto& fraction = bed.simulation->exchange()->gas_fraction;
+  const auto& fraction = bed.simulation->exchange().gas_fraction;
   double sum = 0, volume = 0;
   for (int k = 0; k < grid.cells(2); ++k) {
     const double low = std::max(k * grid.spacing(2), 0.1 * height), high = std::min((k + 1) * grid.spacing(2), 0.9 * height);
