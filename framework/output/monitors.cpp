@@ -38,6 +38,19 @@ constexpr MonitorColumn k_columns[] = {
     {"pressure_iterations [1]", [](const Monitors& m) { return m.pressure_iterations; }},
     {"inflow [kg/s]", [](const Monitors& m) { return m.inflow; }},
     {"outflow [kg/s]", [](const Monitors& m) { return m.outflow; }},
+    {"gravity_impulse_z [kg m/s]", [](const Monitors& m) { return m.gravity_impulse; }},
+    {"drag_impulse_z [kg m/s]", [](const Monitors& m) { return m.drag_impulse; }},
+    {"stress_impulse_z [kg m/s]", [](const Monitors& m) { return m.stress_impulse; }},
+    {"wall_impulse_z [kg m/s]", [](const Monitors& m) { return m.wall_impulse; }},
+    {"gravity_work [J]", [](const Monitors& m) { return m.gravity_work; }},
+    {"drag_work [J]", [](const Monitors& m) { return m.drag_work; }},
+    {"stress_work [J]", [](const Monitors& m) { return m.stress_work; }},
+    {"contact_work [J]", [](const Monitors& m) { return m.contact_work; }},
+    {"gas_in [kg]", [](const Monitors& m) { return m.gas_in; }},
+    {"gas_out [kg]", [](const Monitors& m) { return m.gas_out; }},
+    {"momentum_residual [1]", [](const Monitors& m) { return m.residual.momentum; }},
+    {"energy_residual [1]", [](const Monitors& m) { return m.residual.energy; }},
+    {"gas_balance_residual [1]", [](const Monitors& m) { return m.residual.gas_mass; }},
 };
 
 /// [Pa], simulated: area mean of what the pressure patches hold; without such a patch the
@@ -124,6 +137,19 @@ void observe_gas(const Observed& o, const MapBack& map, Monitors& m) {
   m.outflow = map.gas_mass_flow(o.gas_report->outflow);
 }
 
+void observe_budget(const ParticleBudget& budget, const MapBack& map, Monitors& m) {
+  const auto impulse = [&](const ParticleBudget::Vector& sum) { return map.solids_mass(map.velocity(sum[2])); };
+  const auto work = [&](double sum) { return map.solids_mass(map.velocity(map.velocity(sum))); };
+  m.gravity_impulse = impulse(budget.gravity_impulse);
+  m.drag_impulse = impulse(budget.drag_impulse);
+  m.stress_impulse = impulse(budget.stress_impulse);
+  m.wall_impulse = impulse(budget.wall_impulse);
+  m.gravity_work = work(budget.gravity_work);
+  m.drag_work = work(budget.drag_work);
+  m.stress_work = work(budget.stress_work);
+  m.contact_work = work(budget.contact_work);
+}
+
 }  // namespace
 
 double expanded_bed_height(const ParticleStore& particles) {
@@ -159,9 +185,15 @@ Monitors observe(const Observed& simulated, const MapBack& map) {
   if (simulated.engine) {
     m.removed_particles = static_cast<double>(simulated.engine->removed);
     m.contacts = static_cast<double>(simulated.engine->contacts);
+    observe_budget(simulated.engine->budget, map, m);
   }
   m.largest_overlap = 100 * simulated.largest_overlap_ratio;
   if (simulated.grid && simulated.gas) observe_gas(simulated, map, m);
+  if (simulated.accounts) {
+    m.gas_in = map.gas_mass(simulated.accounts->gas_in());
+    m.gas_out = map.gas_mass(simulated.accounts->gas_out());
+    m.residual = simulated.balances;
+  }
   return m;
 }
 

@@ -6,6 +6,7 @@
 
 #include "coupling/coupling.h"
 #include "fluid/grid.h"
+#include "output/accounts.h"
 #include "output/csv.h"
 #include "output/directory.h"
 #include "output/map_back.h"
@@ -37,6 +38,11 @@ struct Monitors {
   double gas_mass_residual = k_none;                           // [-]
   double pressure_iterations = k_none;
   double inflow = k_none, outflow = k_none;  // [kg/s]
+  // Since the start: what moved the solids, and how far the books are off.
+  double gravity_impulse = k_none, drag_impulse = k_none, stress_impulse = k_none, wall_impulse = k_none;  // [kg m/s], z
+  double gravity_work = k_none, drag_work = k_none, stress_work = k_none, contact_work = k_none;           // [J]
+  double gas_in = k_none, gas_out = k_none;                                                                // [kg]
+  Balances residual{k_none, k_none, k_none};                                                               // [-]
 };
 
 /// The simulated bed at an instant; null where the run has none.
@@ -48,6 +54,8 @@ struct Observed {
   const GasFields* gas = nullptr;
   const Column<double>* gas_fraction = nullptr;  // null with a gas: one-way, eps = 1
   const similitude_gas_report* gas_report = nullptr;
+  const Accounts* accounts = nullptr;
+  Balances balances{};
   double gas_density = 0;            // [kg/m^3], simulated
   double largest_overlap_ratio = 0;  // [-], since the last row: the engine's report spans one advance() only
 };

@@ -396,13 +396,14 @@ void ContactPass::gather_surface(Run& run, std::uint32_t k, const SurfaceTouch& 
 }
 
 template <bool Rotation>
-void ContactPass::scatter_surfaces(Run& run) {
+void ContactPass::scatter_surfaces(Run& run, Row& push) {
   const BlockColumns& in = run.columns;
   for (std::uint32_t n = 0; n < run.rows; ++n) {
     const std::uint32_t row = lists_.candidates[in.candidate[n]].owner;
     const double fx = in.force[0][n], fy = in.force[1][n], fz = in.force[2][n];
     Row& force = particles_.force[row];
     force = {force.x + fx, force.y + fy, force.z + fz, 0};
+    push = {push.x + fx, push.y + fy, push.z + fz, 0};
     if constexpr (Rotation) {
       const double nx = in.normal[0][n], ny = in.normal[1][n], nz = in.normal[2][n], lever = in.lever_i[n];
       double tx = lever * (fy * nz - fz * ny), ty = lever * (fz * nx - fx * nz), tz = lever * (fx * ny - fy * nx);
@@ -419,7 +420,7 @@ void ContactPass::scatter_surfaces(Run& run) {
 }
 
 template <bool Rotation>
-std::size_t ContactPass::surface_piece(Run& run) {
+std::size_t ContactPass::surface_piece(Run& run, Row& push) {
   std::size_t contacts = 0;
   SurfaceTouch touch;
   const auto finish_block = [&] {
@@ -433,7 +434,7 @@ std::size_t ContactPass::surface_piece(Run& run) {
     while (run.rows < run.padded) gather_surface<Rotation>(run, k, touch);
     run.rows = rows;
     call_law(run);
-    scatter_surfaces<Rotation>(run);
+    scatter_surfaces<Rotation>(run, push);
     run.rows = 0;
   };
   const Piece& piece = run.lists.surfaces;
@@ -452,10 +453,11 @@ std::size_t ContactPass::surface_piece(Run& run) {
   return contacts;
 }
 
-std::size_t ContactPass::surfaces(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest,
+std::size_t ContactPass::surfaces(std::uint32_t brick, double dt, BlockColumns& scratch, Row& push, DeepestContact& deepest,
                                   LawComplaint& complaint) {
+  push = {};
   Run run{lists_.bricks[brick], dt, scratch, deepest, complaint, brick};
-  return needs_.rotation ? surface_piece<true>(run) : surface_piece<false>(run);
+  return needs_.rotation ? surface_piece<true>(run, push) : surface_piece<false>(run, push);
 }
 
 }  // namespace similitude

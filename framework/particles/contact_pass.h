@@ -57,8 +57,8 @@ class ContactPass {
   /// Zeroes the rows' force and torque, then adds what contacts owned by this brick do inside it; shares of partners in
   /// other bricks go to slots. Returns the number of touching contacts. [worker]
   std::size_t pairs(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest, LawComplaint& complaint);
-  /// The same for walls and baffles. [worker]
-  std::size_t surfaces(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest,
+  /// The same for walls and baffles; `push` becomes the sum of their forces [N]. [worker]
+  std::size_t surfaces(std::uint32_t brick, double dt, BlockColumns& scratch, Row& push, DeepestContact& deepest,
                        LawComplaint& complaint);
   /// Adds the shares that earlier bricks left for this one, in fixed order. [worker], after pairs() of all bricks.
   void collect_shares(std::uint32_t brick);
@@ -74,11 +74,11 @@ class ContactPass {
   template <bool Rotation, bool Periodic>
   std::size_t both_pieces(Run& run);
   template <bool Rotation>
-  std::size_t surface_piece(Run& run);
+  std::size_t surface_piece(Run& run, Row& push);
   template <bool Rotation>
   void gather_surface(Run& run, std::uint32_t candidate, const SurfaceTouch& touch);
   template <bool Rotation>
-  void scatter_surfaces(Run& run);
+  void scatter_surfaces(Run& run, Row& push);
   void gather_history(Run& run, std::uint32_t first);
   void scatter_history(Run& run);
   void fill_up(Run& run);

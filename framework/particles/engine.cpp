@@ -30,6 +30,7 @@ constexpr double k_worth_a_change = 1.2;
 /// What a brick reports of a sub-step; a cache line of its own.
 struct alignas(64) BrickOutcome {
   MotionResult motion;
+  Row wall_force;                  // [N], on all its particles
   std::size_t contacts = 0;
   DeepestContact deepest;          // since advance() began, or since the last rebuild in it
   bool near_outlet = false;        // some row may leave before the next rebuild
@@ -74,11 +75,13 @@ struct Engine::Parts {
   void rebuild();
   void wrap_positions();
   void mark_leaving();
+  void carry_out(std::size_t row);
   void adapt_skin();
   void lay_out();
   double displacement() const;
   bool lists_are_due();
   void keep_deepest();
+  void keep_accounts();
   void throw_if_stopped();
   [[noreturn]] void throw_not_finite(std::uint32_t brick) const;
 
@@ -136,7 +139,21 @@ void Engine::Parts::mark_leaving() {
     ++report.removed;
     report.removed_mass += particles.velocity[row].w;
     report.removed_volume += 4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius;
+    carry_out(row);
   }
+}
+
+/// Momentum and energy of a particle that leaves.
+void Engine::Parts::carry_out(std::size_t row) {
+  const Row& v = particles.velocity[row];
+  ParticleBudget& budget = report.budget;
+  budget.removed_momentum[0] += v.w * v.x;
+  budget.removed_momentum[1] += v.w * v.y;
+  budget.removed_momentum[2] += v.w * v.z;
+  budget.removed_energy += 0.5 * v.w * (v.x * v.x + v.y * v.y + v.z * v.z);
+  if (!particles.fields.rotation) return;
+  const Row& w = particles.angular_velocity[row];
+  budget.removed_energy += 0.5 * w.w * (w.x * w.x + w.y * w.y + w.z * w.z);
 }
 
 void Engine::Parts::adapt_skin() {
@@ -228,7 +245,7 @@ void Engine::Parts::sub_step() {
       BrickOutcome& outcome = outcomes[brick];
       outcome.contacts = contacts.pairs(brick, options.dt, columns[thread], outcome.deepest, complaints[thread]);
       lap(Stage::contacts);
-      outcome.contacts += contacts.surfaces(brick, options.dt, columns[thread], outcome.deepest, complaints[thread]);
+      outcome.contacts += contacts.surfaces(brick, options.dt, columns[thread], outcome.wall_force, outcome.deepest, complaints[thread]);
       lap(Stage::walls);
     }
 #pragma omp barrier
@@ -257,9 +274,34 @@ void Engine::Parts::sub_step() {
     fastest = std::max(fastest, outcome.motion.largest_speed_squared);
     stale |= outcome.left;
   }
+  keep_accounts();
   report.largest_speed = std::sqrt(fastest);
   travel += options.dt * report.largest_speed;
   report.particle_steps += listed_rows;
+}
+
+/// Once per sub-step and in the order of bricks: the same bits for any number of threads and any division into calls.
+void Engine::Parts::keep_accounts() {
+  const double dt = options.dt;
+  ParticleBudget& budget = report.budget;
+  const auto add = [](ParticleBudget::Vector& to, double factor, const Row& row) {
+    to[0] += factor * row.x;
+    to[1] += factor * row.y;
+    to[2] += factor * row.z;
+  };
+  const auto work = [dt](const Row& power) { return dt * (power.x + power.y + power.z); };
+  for (const BrickOutcome& outcome : outcomes) {
+    const MotionSums& sums = outcome.motion.sums;
+    const auto& g = options.gravity;
+    add(budget.gravity_impulse, dt * sums.mass.w, {g[0], g[1], g[2], 0});
+    add(budget.drag_impulse, dt, sums.drag);
+    add(budget.stress_impulse, dt, sums.stress);
+    add(budget.wall_impulse, dt, outcome.wall_force);
+    budget.gravity_work += work(sums.gravity_power);
+    budget.drag_work += work(sums.drag_power);
+    budget.stress_work += work(sums.stress_power);
+    budget.contact_work += work(sums.contact_power);
+  }
 }
 
 void Engine::Parts::advance(std::int64_t sub_steps) {

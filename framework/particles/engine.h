@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "loader/catalogue.h"
+#include "particles/budget.h"
 #include "particles/store.h"
 #include "scene/scene.h"
 
@@ -37,6 +38,7 @@ struct EngineReport {
   std::size_t contacts = 0;                    // touching pairs and wall contacts in the last sub-step
   ContactExtreme largest_overlap;              // since the last call of advance() began
   double largest_speed = 0;                    // [m/s], at the end of the last advance()
+  ParticleBudget budget;                       // since construction
 };
 
 /// A stage's share of the time, for timing.json.

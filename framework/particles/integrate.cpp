@@ -15,18 +15,23 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
   // The fourth numbers of rows (radius, mass, inertia) pass through: whatever is added to them is 0.
   const V4 step{motion.dt, motion.dt, motion.dt, 0};
   const V4 fall{motion.dt * motion.gravity[0], motion.dt * motion.gravity[1], motion.dt * motion.gravity[2], 0};
+  const V4 gravity{motion.gravity[0], motion.gravity[1], motion.gravity[2], 0};
   const double damping = motion.dt * motion.velocity_damping;
   Row* position = particles.position.data();
   Row* velocity = particles.velocity.data();
   Row* spin = particles.angular_velocity.data();
   V4 fastest = pack::all(0);
   V4 trouble = pack::all(0);   // becomes not-a-number with the first number that is not finite
+  V4 drag_sum = pack::all(0), stress_sum = pack::all(0), mass_sum = pack::all(0);
+  // Twice the powers: m (v' - v) . (v' + v) / 2 is the change of the kinetic energy, so works with the mean velocity close.
+  V4 gravity_power = pack::all(0), drag_power = pack::all(0), stress_power = pack::all(0), contact_power = pack::all(0);
 
   const auto advance_row = [&](std::uint32_t row) -> V4 {
     const V4 v = pack::load(velocity[row]);
     const double mass = v[3];
     const double step_per_mass = motion.dt / mass;
-    V4 force = pack::load(particles.force[row]);
+    const V4 contact_force = pack::load(particles.force[row]);
+    V4 force = contact_force;
     double resistance = 1 + damping;
     if constexpr (Coupling) {
       const V4 gas = pack::load(particles.gas[row]);
@@ -39,18 +44,29 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
     const V4 x_new = pack::load(position[row]) + step * v_new;
     pack::store(velocity[row], v_new);
     pack::store(position[row], x_new);
+    const V4 twice_mean = v + v_new;
+    mass_sum += v;
+    gravity_power += mass * gravity * twice_mean;
+    contact_power += contact_force * twice_mean;
     if constexpr (Coupling) {
       const V4 gas = pack::load(particles.gas[row]);
-      const V4 impulse = step * gas[3] * (gas - v_new);
-      pack::store(particles.drag_impulse[row], pack::load(particles.drag_impulse[row]) + impulse);
+      const V4 drag = gas[3] * (gas - v_new);
+      const V4 stress = pack::load(particles.stress_force[row]);
+      pack::store(particles.drag_impulse[row], pack::load(particles.drag_impulse[row]) + step * drag);
+      drag_sum += drag;
+      stress_sum += stress;
+      drag_power += drag * twice_mean;
+      stress_power += stress * twice_mean;
     }
     trouble += (x_new - x_new) + (v_new - v_new);
     if constexpr (Rotation) {
       const V4 w = pack::load(spin[row]);
-      V4 w_new = w + motion.dt / w[3] * pack::load(particles.torque[row]);
+      const V4 torque = pack::load(particles.torque[row]);
+      V4 w_new = w + motion.dt / w[3] * torque;
       if constexpr (Damping) w_new /= pack::all(1 + damping);
       w_new = pack::with_fourth(w_new, w);
       pack::store(spin[row], w_new);
+      contact_power += torque * (w + w_new);
       trouble += w_new - w_new;
     }
     return v_new * v_new;
@@ -68,6 +84,14 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
   }
   MotionResult out;
   out.largest_speed_squared = std::max(std::max(fastest[0], fastest[1]), std::max(fastest[2], fastest[3]));
+  const V4 half = pack::all(0.5);
+  pack::store(out.sums.drag, drag_sum);
+  pack::store(out.sums.stress, stress_sum);
+  pack::store(out.sums.mass, mass_sum);
+  pack::store(out.sums.gravity_power, half * gravity_power);
+  pack::store(out.sums.drag_power, half * drag_power);
+  pack::store(out.sums.stress_power, half * stress_power);
+  pack::store(out.sums.contact_power, half * contact_power);
   out.finite = trouble[0] == 0 && trouble[1] == 0 && trouble[2] == 0 && trouble[3] == 0;
   return out;
 }

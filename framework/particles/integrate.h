@@ -22,9 +22,17 @@ struct Motion {
   double velocity_damping = 0;      // [1/s]
 };
 
+/// What pushed the rows, summed: x, y, z of forces [N]; of powers [W] the parts of the three components.
+struct MotionSums {
+  Row drag, stress;                               // w: no meaning
+  Row mass;                                       // w: mass [kg]; x, y, z: no meaning
+  Row gravity_power, drag_power, stress_power, contact_power;   // with the mean of the velocities before and after
+};
+
 struct MotionResult {
   double largest_speed_squared = 0;   // [m^2/s^2], at the end of the sub-step
   bool finite = true;                 // false: some position or velocity is not a number or infinite
+  MotionSums sums;
 };
 
 /// Moves rows [begin, end). Spin is advanced only if `rotation`: a law without it leaves spin as it was. [worker]

@@ -51,6 +51,8 @@ void RunOutputs::write_monitors(const Simulation& simulation) {
                     .gas = &simulation.gas(),
                     .gas_fraction = &simulation.exchange().gas_fraction,
                     .gas_report = &simulation.gas_report(),
+                    .accounts = &simulation.accounts(),
+                    .balances = simulation.balances(),
                     .gas_density = assembly_.model.gas_density,
                     .largest_overlap_ratio = largest_overlap_};
   monitors_.write(similitude::observe(observed, map_back_));

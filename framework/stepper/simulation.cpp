@@ -37,6 +37,7 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   for (const EffectModel& effect : assembly.effects) effects_.emplace_back(assembly.model, *assembly.grid, effect);
   engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
                                      EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
+  accounts_ = Accounts(particles_, gas_mass());
   assemble_stages();
 }
 
@@ -64,6 +65,7 @@ void Simulation::advance_gas() {
   gas_report_.struct_size = sizeof(gas_report_);
   assembly_.fluid.functions().advance(assembly_.fluid.instance(), &step, &gas_report_, &status);
   guards_.check_gas(gas_report_, status, step.time);
+  accounts_.add_flow(gas_report_.inflow, gas_report_.outflow, step.dt);
 }
 
 void Simulation::assemble_stages() {
@@ -98,15 +100,18 @@ void Simulation::step() {
   ++steps_done_;
 }
 
+double Simulation::gas_mass() const {
+  double volume = 0;   // [cells]
+  for (const double gas_fraction : exchange().gas_fraction) volume += gas_fraction;
+  return assembly_.model.gas_density * assembly_.grid->cell_volume() * volume;
+}
+
+Balances Simulation::balances() const { return accounts_.balances(particles_, engine_->report().budget, gas_mass()); }
+
 std::array<double, 3> Simulation::momentum() const {
-  std::array<double, 3> total{gas_report_.momentum[0], gas_report_.momentum[1], gas_report_.momentum[2]};
-  for (const Row& velocity : particles_.velocity) {
-    total[0] += velocity.w * velocity.x;
-    total[1] += velocity.w * velocity.y;
-    total[2] += velocity.w * velocity.z;
-  }
+  std::array<double, 3> total = momentum_of(particles_);
   const std::array<double, 3> pending = coupling_->pending_momentum();
-  for (std::size_t axis = 0; axis < 3; ++axis) total[axis] += pending[axis];
+  for (std::size_t axis = 0; axis < 3; ++axis) total[axis] += gas_report_.momentum[axis] + pending[axis];
   return total;
 }
 

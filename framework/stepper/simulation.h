@@ -10,6 +10,7 @@
 
 #include "coupling/coupling.h"
 #include "coupling/effect_pass.h"
+#include "output/accounts.h"
 #include "particles/engine.h"
 #include "stepper/assembly.h"
 #include "stepper/guards.h"
@@ -42,6 +43,10 @@ class Simulation {
   const similitude_gas_report& gas_report() const { return gas_report_; }
   const Engine& engine() const { return *engine_; }
   const Coupling& coupling() const { return *coupling_; }
+  const Accounts& accounts() const { return accounts_; }
+  double gas_mass() const;   // [kg], of all cells
+  /// How far the books are off; `step()` keeps them.
+  Balances balances() const;
   /// Total momentum of gas, particles and what is owed between them [kg m/s].
   std::array<double, 3> momentum() const;
 
@@ -64,6 +69,7 @@ class Simulation {
   std::vector<EffectPass> effects_;
   std::unique_ptr<Engine> engine_;
   similitude_gas_report gas_report_{};
+  Accounts accounts_;
   Guards guards_;
   std::vector<Stage> stages_;
   std::int64_t steps_done_ = 0;

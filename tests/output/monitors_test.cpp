@@ -57,6 +57,8 @@ TEST(Monitors, OfSolidsAreTheRealBeds) {
   EngineReport engine;
   engine.removed = 5;
   engine.contacts = 9;
+  engine.budget.drag_impulse = {0, 0, 3e-6};
+  engine.budget.contact_work = -2e-6;
   const Monitors m =
       observe({.time = 0.5, .particles = &store, .engine = &engine, .largest_overlap_ratio = 0.02}, quarter_scale());
   EXPECT_EQ(m.time, 1);
@@ -70,6 +72,8 @@ TEST(Monitors, OfSolidsAreTheRealBeds) {
   // 1/2 I w^2 with I by mass and the diameter squared: 64 * 2^2 / 2^2
   EXPECT_DOUBLE_EQ(m.rotational_energy, 0.5 * 1e-10 * 16 * 64);
   EXPECT_DOUBLE_EQ(m.mean_height, 4 * (0.01 + 3 * 0.02) / 4);
+  EXPECT_DOUBLE_EQ(m.drag_impulse, 3e-6 * 64 * 2);
+  EXPECT_DOUBLE_EQ(m.contact_work, -2e-6 * 64 * 4);
   EXPECT_EQ(m.largest_speed, 4);
   EXPECT_EQ(m.largest_overlap, 2);
   EXPECT_TRUE(std::isnan(m.pressure_drop));
@@ -144,6 +148,8 @@ TEST(MonitorFile, NamesEveryColumnWithItsUnit) {
       "mean_height [m],largest_speed [m/s],largest_overlap [% of d],contacts [1],gas_mass [kg],"
       "gas_momentum_x [kg m/s],gas_momentum_y [kg m/s],gas_momentum_z [kg m/s],pressure_drop [Pa],"
       "smallest_gas_fraction [1],courant [1],gas_mass_residual [1],pressure_iterations [1],inflow [kg/s],outflow "
-      "[kg/s]");
-  EXPECT_EQ(lines[1], "0.5,0,0,0,0,0,0,0,,,,0,0,0,,,,,,,,,,,0.25");
+      "[kg/s],gravity_impulse_z [kg m/s],drag_impulse_z [kg m/s],stress_impulse_z [kg m/s],wall_impulse_z [kg m/s],"
+      "gravity_work [J],drag_work [J],stress_work [J],contact_work [J],gas_in [kg],gas_out [kg],momentum_residual [1],"
+      "energy_residual [1],gas_balance_residual [1]");
+  EXPECT_EQ(lines[1], "0.5,0,0,0,0,0,0,0,,,,0,0,0,,,,,,,,,,,0.25,,,,,,,,,,,,,");
 }

@@ -1,0 +1,57 @@
+#include "output/accounts.h"
+
+#include <cmath>
+
+namespace similitude {
+namespace {
+
+double magnitude(const std::array<double, 3>& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+double relative(double missing, double moved) { return moved > 0 ? missing / moved : 0; }
+
+}  // namespace
+
+std::array<double, 3> momentum_of(const ParticleStore& particles) {
+  std::array<double, 3> sum{};
+  for (const Row& v : particles.velocity) {
+    sum[0] += v.w * v.x;
+    sum[1] += v.w * v.y;
+    sum[2] += v.w * v.z;
+  }
+  return sum;
+}
+
+double energy_of(const ParticleStore& particles) {
+  double twice = 0;
+  for (const Row& v : particles.velocity) twice += v.w * (v.x * v.x + v.y * v.y + v.z * v.z);
+  for (const Row& w : particles.angular_velocity) twice += w.w * (w.x * w.x + w.y * w.y + w.z * w.z);
+  return 0.5 * twice;
+}
+
+Accounts::Accounts(const ParticleStore& particles, double gas_mass)
+    : momentum_(momentum_of(particles)), energy_(energy_of(particles)), gas_mass_(gas_mass) {}
+
+void Accounts::add_flow(double inflow, double outflow, double dt) {
+  gas_in_ += inflow * dt;
+  gas_out_ += outflow * dt;
+}
+
+Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget& b, double gas_mass) const {
+  Balances out;
+  const std::array<double, 3> now = momentum_of(particles);
+  std::array<double, 3> missing{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    missing[a] = now[a] - momentum_[a] + b.removed_momentum[a] -
+                 (b.gravity_impulse[a] + b.drag_impulse[a] + b.stress_impulse[a] + b.wall_impulse[a]);
+  }
+  out.momentum = relative(magnitude(missing), magnitude(momentum_) + magnitude(b.gravity_impulse) + magnitude(b.drag_impulse) +
+                                                  magnitude(b.stress_impulse) + magnitude(b.wall_impulse));
+  out.energy = relative(std::abs(energy_of(particles) - energy_ + b.removed_energy -
+                                 (b.gravity_work + b.drag_work + b.stress_work + b.contact_work)),
+                        energy_ + std::abs(b.gravity_work) + std::abs(b.drag_work) + std::abs(b.stress_work) +
+                            std::abs(b.contact_work));
+  out.gas_mass = relative(std::abs(gas_mass - gas_mass_ - gas_in_ + gas_out_), gas_in_ + gas_out_ > 0 ? gas_in_ + gas_out_ : gas_mass_);
+  return out;
+}
+
+}  // namespace similitude

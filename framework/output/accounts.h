@@ -1,0 +1,45 @@
+#pragma once
+/// The books of a run: what particles and gas held at the start, what came and went, and how far the sum is off. A residual
+/// is a mistake of the program or of its plugins, not of the model: it should be rounding for the particles, and the
+/// solver's tolerance for the gas.
+
+#include <array>
+
+#include "particles/budget.h"
+#include "particles/store.h"
+
+namespace similitude {
+
+/// Relative residuals [-]: what is missing over all that was moved. 0 where nothing has moved yet.
+struct Balances {
+  double momentum = 0;   // of the particles, over the sum of the impulses' magnitudes
+  double energy = 0;     // of the particles, over the sum of the works' magnitudes
+  double gas_mass = 0;   // over what came in and went out, or in a closed box over what there is
+};
+
+class Accounts {
+ public:
+  Accounts() = default;
+  /// At the start of a run; gas_mass [kg] of all cells.
+  Accounts(const ParticleStore& particles, double gas_mass);
+
+  /// After a gas step: what flowed through patches [kg/s] over dt [s].
+  void add_flow(double inflow, double outflow, double dt);
+
+  Balances balances(const ParticleStore& particles, const ParticleBudget& budget, double gas_mass) const;
+  double gas_in() const { return gas_in_; }     // [kg], since the start
+  double gas_out() const { return gas_out_; }   // [kg]
+
+ private:
+  std::array<double, 3> momentum_{};   // [kg m/s], at the start
+  double energy_ = 0;                  // [J], at the start
+  double gas_mass_ = 0;                // [kg], at the start
+  double gas_in_ = 0, gas_out_ = 0;
+};
+
+/// [kg m/s], of all rows.
+std::array<double, 3> momentum_of(const ParticleStore& particles);
+/// [J], kinetic, of translation and spin of all rows.
+double energy_of(const ParticleStore& particles);
+
+}  // namespace similitude
