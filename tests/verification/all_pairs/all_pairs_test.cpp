@@ -1,0 +1,167 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "small_bed.h"
+
+// A user mixes models freely. In these runs of a small bed every pair of (drag, contact, fluid, scaling) that is installed occurs,
+// and every run must end, with its particles, its mass and its momentum.
+namespace similitude::test {
+namespace {
+
+constexpr std::array<const char*, 4> k_kinds{"drag", "contact", "fluid", "scaling"};
+using Combination = std::array<std::string, 4>;   // ids in the order of k_kinds
+
+/// What a model must be told beyond its id, for the bed below.
+const std::map<std::string, std::string>& parameters() {
+  static const std::map<std::string, std::string> table{
+      {"linear_spring", "stiffness: 200 N/m, restitution: 0.8, friction: 0.3"},
+      {"fluent_dem", "stiffness: 200 N/m, restitution: 0.8"},
+      {"prescribed", "velocity_z: 0.8 m/s"},
+      {"terminal_velocity", "geometry: 0.5"},
+  };
+  return table;
+}
+
+std::string model(const std::string& id) {
+  const auto found = parameters().find(id);
+  return found == parameters().end() ? id : fmt::format("{{id: {}, {}}}", id, found->second);
+}
+
+using Meeting = std::pair<std::string, std::string>;   // "drag ergun" with "scaling exact"
+
+std::vector<Meeting> meetings_of(const Combination& c) {
+  std::vector<Meeting> meetings;
+  for (std::size_t a = 0; a < c.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) meetings.emplace_back(k_kinds[a] + (" " + c[a]), k_kinds[b] + (" " + c[b]));
+  }
+  return meetings;
+}
+
+std::vector<Combination> every_combination() {
+  std::vector<Combination> all{{}};
+  for (std::size_t kind = 0; kind < k_kinds.size(); ++kind) {
+    std::vector<Combination> longer;
+    for (const Combination& start : all) {
+      for (const std::string& id : built_plugins().ids(k_kinds[kind])) {
+        longer.push_back(start);
+        longer.back()[kind] = id;
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// Greedily those in which most pairs meet for the first time, until all have met: at least as many as the two kinds with the
+/// most models have pairs, and hardly more.
+std::vector<Combination> combinations() {
+  std::vector<Combination> candidates = every_combination(), chosen;
+  std::set<Meeting> met;
+  const auto news = [&met](const Combination& c) {
+    return std::ranges::count_if(meetings_of(c), [&met](const Meeting& m) { return !met.contains(m); });
+  };
+  for (long most = static_cast<long>(k_kinds.size() * (k_kinds.size() - 1) / 2); most > 0; --most) {
+    for (const Combination& c : candidates) {
+      if (news(c) < most) continue;
+      chosen.push_back(c);
+      for (const Meeting& meeting : meetings_of(c)) met.insert(meeting);
+    }
+  }
+  return chosen;
+}
+
+std::string bed_case(const Combination& c) {
+  return fmt::format(R"(
+similitude: 1
+title: a small bed, blown through
+scene:
+  domain:    {{size: [16 mm, 16 mm, 96 mm], cell: 4 mm}}
+  walls:     {{left: slip, right: slip, front: slip, back: slip}}
+  gas:       {{density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}}
+  particles: {{alumina: {{diameter: 2 mm, density: 1040 kg/m^3, count: 1500}}}}
+  bed:       {{fill: lattice}}
+  patches:
+    inlet:  {{face: bottom, velocity: 0.8 m/s}}
+    outlet: {{face: top, pressure: 0 Pa}}
+models:
+  drag: {}
+  contact: {}
+  fluid: {}
+  scaling: {}
+time: {{end: 0.2 s}}
+)",
+                     model(c[0]), model(c[1]), model(c[2]), model(c[3]));
+}
+
+/// [Pa], at the bottom face above the outlet's zero.
+double pressure_drop(const SmallBed& bed) {
+  const Grid& grid = *bed.assembly->grid;
+  const auto& pressure = bed.simulation->gas().pressure;
+  const std::size_t layer = grid.cell_count() / static_cast<std::size_t>(grid.cells(2));
+  double sum = 0;
+  for (std::size_t c = 0; c < layer; ++c) sum += 1.5 * pressure[c] - 0.5 * pressure[c + layer];
+  return sum / static_cast<double>(layer);
+}
+
+/// [N s], upward since the start: what the pressure under the bed gave to gas and particles, and what the particles received
+/// from the gas, the buoyancy of the gas's own weight left out as it is in the pressure.
+struct Lift {
+  double pressure = 0, received = 0;
+};
+
+Lift run(SmallBed& bed) {
+  Simulation& simulation = *bed.simulation;
+  const ModelScene& scene = bed.assembly->model;
+  Lift lift;
+  while (simulation.time() < scene.time.end) {
+    simulation.step();
+    lift.pressure += pressure_drop(bed) * scene.size[0] * scene.size[1] * bed.steps.gas_dt();
+  }
+  const ParticleBudget& budget = simulation.engine().report().budget;
+  const ParticleClass& particles = scene.particles.front();
+  const double density = particles.density * std::pow(particles.diameter / particles.drag_diameter, 3) / particles.weight;
+  const double buoyancy = -budget.gravity_impulse[2] * scene.gas_density / density;
+  lift.received = budget.drag_impulse[2] + budget.stress_impulse[2] - buoyancy;
+  return lift;
+}
+
+std::string name_of(const ::testing::TestParamInfo<Combination>& info) {
+  const Combination& c = info.param;
+  return fmt::format("{}_{}_{}_{}", c[0], c[1], c[2], c[3]);
+}
+
+class AllPairs : public ::testing::TestWithParam<Combination> {};
+INSTANTIATE_TEST_SUITE_P(Models, AllPairs, ::testing::ValuesIn(combinations()), name_of);
+
+}  // namespace
+
+TEST_P(AllPairs, RunTogetherAndKeepTheirBooks) {
+  const auto bed = small_bed(bed_case(GetParam()));
+  const std::size_t particles = bed->simulation->particles().size();
+  ASSERT_GT(particles, 20u);
+  const Lift lift = run(*bed);
+
+  const Simulation& simulation = *bed->simulation;
+  EXPECT_EQ(simulation.particles().size(), particles);
+  const auto& size = bed->assembly->model.size;
+  for (const Row& x : simulation.particles().position) {
+    ASSERT_TRUE(x.x > 0 && x.x < size[0] && x.y > 0 && x.y < size[1] && x.z > 0 && x.z < size[2]);
+  }
+  const Balances balances = simulation.balances();
+  EXPECT_LT(balances.momentum, 1e-11);
+  EXPECT_LT(balances.energy, 1e-11);
+  if (!bed->assembly->coupled()) return;   // a given gas has no mass balance and feels nothing
+  EXPECT_LT(balances.gas_mass, 1e-6);      // the solver's tolerance is 1e-7 of the inflow
+  // What lifts the particles is the pressure under them, known at the floor to a part of half a cell of seven.
+  EXPECT_NEAR(lift.received, lift.pressure, 0.04 * lift.pressure);
+  fmt::print("{} particles, lift {:.4f} of the pressure's\n", particles, lift.received / lift.pressure);
+}
+
+}  // namespace similitude::test
