@@ -10,6 +10,7 @@ cd "$(dirname "$0")"
 # Debian packages that the tests need on top.
 test_packages=(
   libgtest-dev libgmock-dev
+  libbenchmark-dev                                        # prices of models
   python3 python3-vtk9 python3-numpy python3-matplotlib   # read results back, draw the bed
   python3-jsonschema python3-yaml                         # validate the schema of case files
 )
