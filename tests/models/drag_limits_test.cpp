@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 constexpr double k_reynolds[] = {0, 0.01, 1, 30, 300, 3000};
-/// Fractions left and right of a point: what a law changes by between them is a jump.
+/// To the other side of a jump in the gas fraction.
 constexpr double k_step = 1e-9;
 
 void expect_factor(const DragModel& law, double gas_fraction, double reynolds, double expected, double relative = 1e-12) {
@@ -69,7 +69,7 @@ TEST(DragExponents, DipAtASuperficialReynoldsNumberOf32) {
   EXPECT_NEAR(chi(RONG, middle), 2.65 * 1.5 - (5.3 - 3.5 * 0.5) * 0.25, 1e-12);
 }
 
-// Re (C_D = 0.44 beyond): eps^-2.65 is Richardson and Zaki's 4.65 in creeping flow, U/u_t = eps u_s/u_t.
+// eps^-2.65 is Richardson and Zaki's exponent 4.65 in creeping flow: U/u_t = eps u_s/u_t.
 TEST(DragWenYu, HindersCreepingFlowAsRichardsonAndZaki) {
   const DragModel law(WEN_YU, {Values{}});
   for (const double eps : {0.5, 0.7, 0.9}) {
