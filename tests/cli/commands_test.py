@@ -84,7 +84,9 @@ class Plugins(CommandTest):
         plugins = json.loads(done.stdout)["plugins"]
         self.assertEqual(set(plugins[0]), {"kind", "id", "version", "title", "file"})
         known = {(plugin["kind"], plugin["id"]) for plugin in plugins}
-        self.assertLessEqual({("drag", "syamlal_obrien"), ("drag", "gidaspow"), ("drag", "schiller_naumann"),
+        drags = ("beetstra", "di_felice", "ergun", "gidaspow", "haider_levenspiel", "huilin_gidaspow", "koch_hill",
+                 "koch_hill_ladd", "radl_filtered", "rong", "schiller_naumann", "syamlal_obrien", "tang", "tenneti", "wen_yu")
+        self.assertLessEqual({*(("drag", drag) for drag in drags),
                               ("contact", "linear_spring"), ("contact", "fluent_dem"), ("fluid", "vans"),
                               ("fluid", "prescribed"), ("scaling", "exact"), ("scaling", "terminal_velocity")}, known)
 

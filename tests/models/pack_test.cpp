@@ -36,6 +36,7 @@ TEST(Pack, HasTheFunctionsOfADouble) {
   expect_same([](const auto& a, const auto& b) { return sqrt(a) + abs(a - b); });
   expect_same([](const auto& a, const auto& b) { return exp(a) + log(b); });
   expect_same([](const auto& a, const auto& b) { return pow(a, b); });
+  expect_same([](const auto& a, const auto& b) { return atan(a) + cbrt(b); });
   expect_same([](const auto& a, const auto& b) { return max(a, 0.65) * min(b, 0.65); });
 }
 

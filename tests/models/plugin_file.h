@@ -14,8 +14,18 @@
 
 namespace similitude::test {
 
+/// A number, or the text of a choice.
+struct Value {
+  Value(double number = 0) : real(number) {}
+  Value(int number) : real(number) {}
+  Value(const char* choice) : text(choice) {}
+  operator double&() { return real; }
+  double real = 0;
+  const char* text = nullptr;
+};
+
 /// Values by name; what is left out takes its default.
-using Values = std::map<std::string, double>;
+using Values = std::map<std::string, Value>;
 
 inline const similitude_entry& open_plugin(const std::string& file) {
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -74,7 +84,7 @@ class TestModel {
   }
   static similitude_value value_of(const similitude_parameter& parameter, const Values& set) {
     const auto given = set.find(parameter.name);
-    if (given != set.end()) return {given->second, nullptr};
+    if (given != set.end()) return {given->second.real, given->second.text};
     if (parameter.required) throw std::runtime_error(std::string("a value is missing: ") + parameter.name);
     return {parameter.default_value, parameter.default_text};
   }

@@ -2,9 +2,9 @@
 /// The number type of a law: a `double`, or a Pack of as many doubles as the processor handles at once. A law is a
 /// template over it and is written once. What differs from plain C++: there is no `if` on a Pack, use select().
 ///
-/// sqrt, exp, log, pow, abs, min and max have the same names for both. exp, log and pow go lane by lane through the
-/// standard library, so a lane's result never depends on its neighbours. Laws use these and select(), not the library's
-/// where().
+/// sqrt, cbrt, exp, log, pow, atan, abs, min and max have the same names for both. cbrt, exp, log, pow and atan go lane by
+/// lane through the standard library, so a lane's result never depends on its neighbours. Laws use these and select(), not
+/// the library's where().
 
 #include <cmath>
 
@@ -30,11 +30,15 @@ using Mask = Pack::mask_type;
 static_assert(SIMILITUDE_ROW_MULTIPLE % Pack::size() == 0, "a block has no remainder rows");
 
 using std::abs;
+using std::atan;
+using std::cbrt;
 using std::exp;
 using std::log;
 using std::pow;
 using std::sqrt;
 using std::experimental::abs;
+using std::experimental::atan;
+using std::experimental::cbrt;
 using std::experimental::exp;
 using std::experimental::log;
 using std::experimental::pow;
