@@ -85,7 +85,8 @@ class Plugins(CommandTest):
         self.assertEqual(set(plugins[0]), {"kind", "id", "version", "title", "file"})
         known = {(plugin["kind"], plugin["id"]) for plugin in plugins}
         self.assertLessEqual({("drag", "syamlal_obrien"), ("drag", "gidaspow"), ("drag", "schiller_naumann"),
-                              ("contact", "linear_spring"), ("contact", "fluent_dem"), ("fluid", "vans"),
+                              ("contact", "linear_spring"), ("contact", "fluent_dem"),
+                              ("contact", "hertz_mindlin"), ("contact", "hertz_thornton"), ("fluid", "vans"),
                               ("fluid", "prescribed"), ("scaling", "exact"), ("scaling", "terminal_velocity")}, known)
 
     def test_info_gives_parameters_with_units(self):
