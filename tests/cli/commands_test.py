@@ -87,7 +87,8 @@ class Plugins(CommandTest):
         drags = ("beetstra", "di_felice", "ergun", "gidaspow", "haider_levenspiel", "huilin_gidaspow", "koch_hill",
                  "koch_hill_ladd", "radl_filtered", "rong", "schiller_naumann", "syamlal_obrien", "tang", "tenneti", "wen_yu")
         self.assertLessEqual({*(("drag", drag) for drag in drags),
-                              ("contact", "linear_spring"), ("contact", "fluent_dem"), ("fluid", "vans"),
+                              ("contact", "linear_spring"), ("contact", "fluent_dem"),
+                              ("contact", "hertz_mindlin"), ("contact", "hertz_thornton"), ("fluid", "vans"),
                               ("fluid", "prescribed"), ("scaling", "exact"), ("scaling", "terminal_velocity")}, known)
 
     def test_info_gives_parameters_with_units(self):

@@ -1,4 +1,5 @@
 #include <similitude/contact_law.h>
+#include <similitude/tangential_spring.h>
 
 namespace {
 using namespace similitude;
@@ -65,26 +66,9 @@ struct LinearSpring {
   template <class V>
   Force<V> force(const Contact<V>& c, History<V>& history) const {
     const V normal = normal_force(c);
-    const V tangential_stiffness = tangential_stiffness_ratio * stiffness;
-    const V tangential_damping = tangential_damping_ratio * damping_coefficient(c);
-
-    // The contact has turned since the last step: lay the spring into the tangent plane, its length kept.
-    const Vec3<V> old = history.vector(0);
-    const Vec3<V> flat = old - dot(old, c.normal) * c.normal;
-    const V old_square = dot(old, old), flat_square = dot(flat, flat);
-    const V stretch = select(flat_square > 0.0, sqrt(old_square / flat_square), V(0));
-    Vec3<V> spring = stretch * flat + c.dt * c.tangential_velocity;
-
-    const Vec3<V> dashpot = -tangential_damping * c.tangential_velocity;
-    Vec3<V> tangential = -tangential_stiffness * spring + dashpot;
-
-    // Coulomb: sliding contacts keep the spring that just carries the friction force.
-    const V limit = friction * max(normal, V(0));
-    const V square = dot(tangential, tangential);
-    const auto slides = square > limit * limit;
-    tangential = select(slides, limit / sqrt(square), V(1)) * tangential;
-    spring = select(slides, (1.0 / tangential_stiffness) * (dashpot - tangential), spring);
-
+    Vec3<V> spring = history.vector(0);
+    const Vec3<V> tangential = tangential_force(c, normal, tangential_stiffness_ratio * stiffness,
+                                                V(tangential_damping_ratio * damping_coefficient(c)), friction, spring);
     history.set_vector(0, spring);
     return along(c.normal, normal) + Force<V>{tangential};
   }
@@ -94,13 +78,11 @@ struct LinearSpring {
            (attraction ? impact_duration(damping) : impact_duration_without_attraction(damping));
   }
 
-  /// Of the normal and, with friction, the tangential spring. A solid sphere resists at its surface with 2/7 of its mass.
+  /// Of the normal and, with friction, the tangential spring.
   double largest_stable_step(double effective_mass, double, double) const {
-    const double normal_step = sqrt(effective_mass / stiffness) * stable_step(damping);
-    if (!remembers()) return normal_step;
-    const double softness = 2.0 / 7 / tangential_stiffness_ratio;   // tangential over normal (m/k)
-    const double tangential_damping = tangential_damping_ratio * damping * sqrt(softness) * 7.0 / 2;
-    return min(normal_step, sqrt(effective_mass / stiffness) * sqrt(softness) * stable_step(tangential_damping));
+    const double unit = sqrt(effective_mass / stiffness);
+    if (!remembers()) return unit * stable_step(damping);
+    return unit * min(stable_step(damping), stable_tangential_step(tangential_stiffness_ratio, tangential_damping_ratio * damping));
   }
 };
 
