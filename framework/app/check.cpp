@@ -115,6 +115,7 @@ int check(const CheckArguments& arguments) {
   seen.assembly = assemble(case_file.scene, plugins);
   seen.steps = choose_time_steps(seen.assembly);
   for (const std::string& warning : case_file.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : seen.assembly.warnings) std::cerr << "warning: " << warning << "\n";
   for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);

@@ -65,6 +65,8 @@ const char* scaling_name(std::int32_t scales_as) {
       return "stiffness";
     case SIMILITUDE_SCALES_AS_MODULUS:
       return "modulus";
+    case SIMILITUDE_SCALES_AS_RESTITUTION:
+      return "restitution";
     default:
       return nullptr;
   }

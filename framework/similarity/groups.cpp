@@ -4,17 +4,6 @@
 
 namespace similitude {
 
-SphereInGas sphere_in_gas(const similitude_bed& bed) {
-  return {bed.drag_diameter, bed.particle_density, bed.gas_density, bed.gas_viscosity, bed.gravity};
-}
-
-double reynolds(const SphereInGas& s, double speed) { return s.gas_density * speed * s.diameter / s.gas_viscosity; }
-
-double archimedes(const SphereInGas& s) {
-  return s.gravity * s.gas_density * (s.particle_density - s.gas_density) * (s.diameter * s.diameter * s.diameter) /
-         (s.gas_viscosity * s.gas_viscosity);
-}
-
 double schiller_naumann(double reynolds) {
   return reynolds < 1000 ? 24 / reynolds * (1 + 0.15 * std::pow(reynolds, 0.687)) : 0.44;
 }
@@ -39,15 +28,6 @@ double terminal_velocity(const SphereInGas& s, const std::function<double(double
     (too_slow(middle) ? low : high) = middle;
   }
   return high * s.gas_viscosity / (s.gas_density * s.diameter);
-}
-
-double minimum_fluidisation_ergun(const SphereInGas& s, double gas_fraction) {
-  const double viscous = 150 * (1 - gas_fraction);
-  const double inertial = 1.75;
-  const double driving = gas_fraction * gas_fraction * gas_fraction * archimedes(s);
-  // The root without cancellation for small Ar.
-  const double re = 2 * driving / (viscous + std::sqrt(viscous * viscous + 4 * inertial * driving));
-  return re * s.gas_viscosity / (s.gas_density * s.diameter);
 }
 
 double minimum_fluidisation_wen_yu(const SphereInGas& s) {

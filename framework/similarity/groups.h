@@ -4,23 +4,9 @@
 #include <functional>
 
 #include <similitude/abi.h>
+#include <similitude/sphere_in_gas.h>
 
 namespace similitude {
-
-/// One sphere in one gas: all that its terminal and minimum fluidisation velocities depend on.
-struct SphereInGas {
-  double diameter;           // [m]
-  double particle_density;   // [kg/m^3]
-  double gas_density;        // [kg/m^3]
-  double gas_viscosity;      // [Pa s]
-  double gravity;            // [m/s^2]
-};
-
-/// With the diameter that drag laws see.
-SphereInGas sphere_in_gas(const similitude_bed& bed);
-
-double reynolds(const SphereInGas& sphere, double speed);   // rho_f u d / mu
-double archimedes(const SphereInGas& sphere);               // g rho_f (rho_p - rho_f) d^3 / mu^2
 
 /// Schiller & Naumann (1935): 24/Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000.
 double schiller_naumann(double reynolds);
@@ -32,13 +18,8 @@ double terminal_velocity_newton(const SphereInGas& sphere);
 /// [m/s], from C_D Re^2 = 4/3 Ar by bisection to the last bit; C_D Re^2 must grow with Re.
 double terminal_velocity(const SphereInGas& sphere, const std::function<double(double)>& drag_coefficient);
 
-/// [m/s], Ergun (1952), Chem. Eng. Prog. 48, 89: 1.75/eps^3 Re^2 + 150 (1 - eps)/eps^3 Re = Ar.
-double minimum_fluidisation_ergun(const SphereInGas& sphere, double gas_fraction);
 /// [m/s], Wen & Yu (1966), AIChE J. 12, 610: Re = sqrt(33.7^2 + 0.0408 Ar) - 33.7.
 double minimum_fluidisation_wen_yu(const SphereInGas& sphere);
-
-/// Gas fraction of a bed of spheres at minimum fluidisation where nothing better is known.
-inline constexpr double k_gas_fraction_at_minimum = 0.42;
 
 /// L is the bed's width, u0 the mean superficial velocity, u_jet the largest inlet velocity, d what drag laws see except in L/d.
 struct Groups {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "scene/messages.h"
 
@@ -105,10 +108,6 @@ void check_ratios(const RealScene& real, const similitude_ratios& ratios) {
           law.mark, "models.scaling",
           law.id + " gives the ratio of " + name + " as " + std::to_string(value) + ", which is not above zero.",
           "Check its parameters against the bed.");
-  if (ratios.energy_loss != 1)
-    throw InputError(law.mark, "models.scaling",
-                     law.id + " wants 1 - e^2 of the restitution e changed, and no contact model here takes that.",
-                     "Choose parameters of " + law.id + " that leave restitution alone.");
 }
 
 double ratio_of(int scales_as, const similitude_ratios& ratios) {
@@ -130,9 +129,47 @@ double ratio_of(int scales_as, const similitude_ratios& ratios) {
   }
 }
 
+/// 1 - e_c^2 = l (1 - e^2) with l the ratio of energy_loss; NaN where a grain would have to lose more than it has.
+double scaled_restitution(double restitution, double energy_loss) {
+  if (energy_loss == 1) return restitution;   // to the last bit
+  const double left = 1 - energy_loss * (1 - restitution * restitution);
+  return left > 0 ? std::sqrt(left) : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool is_restitution(const ModelParameter& parameter) {
+  return parameter.scales_as == SIMILITUDE_SCALES_AS_RESTITUTION && !std::isnan(parameter.real);
+}
+
+/// A law may change what a collision loses; the contact model must have a restitution, and it must be able to lose so much.
+void check_energy_loss(const RealScene& real, const similitude_ratios& ratios) {
+  if (ratios.energy_loss == 1) return;
+  const ModelChoice &law = real.models.scaling, &contact = real.models.contact;
+  bool found = false;
+  for (const ModelParameter& parameter : contact.parameters) {
+    if (!is_restitution(parameter)) continue;
+    found = true;
+    if (!std::isnan(scaled_restitution(parameter.real, ratios.energy_loss))) continue;
+    const double limit = 1 / (1 - parameter.real * parameter.real);
+    throw InputError(law.mark, "models.scaling",
+                     fmt::format("{} wants grains to lose {:.4g} times as much energy per collision, but with {}: {:.4g} nothing "
+                                 "is left beyond {:.4g} times.",
+                                 law.id, ratios.energy_loss, parameter.name, parameter.real, limit),
+                     fmt::format("Choose grains of less than {:.4g} diameters, or leave the restitution as it is.", limit));
+  }
+  if (!found)
+    throw InputError(law.mark, "models.scaling",
+                     law.id + " wants 1 - e^2 of the restitution e changed, but the contact model " + contact.id +
+                         " has no restitution.",
+                     "Choose a contact model that has one, or parameters of " + law.id + " that leave restitution alone.");
+}
+
 void scale_model(ModelChoice& model, const similitude_ratios& ratios,
                  const std::optional<double>& simulated_stiffness) {
   for (ModelParameter& parameter : model.parameters) {
+    if (parameter.scales_as == SIMILITUDE_SCALES_AS_RESTITUTION) {
+      parameter.real = scaled_restitution(parameter.real, ratios.energy_loss);
+      continue;
+    }
     if (parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS && simulated_stiffness && !std::isnan(parameter.real)) {
       parameter.real = *simulated_stiffness;
     } else {
@@ -201,11 +238,28 @@ similitude_ratios identity_ratios() {
   return ratios;
 }
 
+std::vector<std::string> scaling_warnings(const RealScene& real, const similitude_ratios& ratios) {
+  std::vector<std::string> warnings;
+  if (ratios.energy_loss == 1) return warnings;
+  for (const ModelParameter& parameter : real.models.contact.parameters) {
+    if (!is_restitution(parameter)) continue;
+    const double lost = ratios.energy_loss * (1 - parameter.real * parameter.real);
+    if (lost <= k_energy_loss_near_limit) continue;
+    warnings.push_back(fmt::format("models.scaling: {} takes {} from {:.4g} to {:.4g}: {:.0f} % of a collision's energy is lost, and "
+                                   "beyond {:.4g} times the real loss nothing would be left.",
+                                   real.models.scaling.id, parameter.name, parameter.real,
+                                   scaled_restitution(parameter.real, ratios.energy_loss), 100 * lost,
+                                   1 / (1 - parameter.real * parameter.real)));
+  }
+  return warnings;
+}
+
 similitude_bed describe(const RealScene& scene) { return described(scene); }
 similitude_bed describe(const ModelScene& scene) { return described(scene); }
 
 ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios) {
   check_ratios(real, ratios);
+  check_energy_loss(real, ratios);
   const ResultRatios results = result_ratios(real, ratios);
   ModelScene bed = retyped<RealBed, ModelBed>(real);
   for (double& size : bed.size) size *= ratios.length;

@@ -1,6 +1,9 @@
 #pragma once
 /// From the real bed to the simulated one and back. The ratios come from a scaling plugin; they are applied here, once.
 
+#include <string>
+#include <vector>
+
 #include <similitude/abi.h>
 
 #include "scene/scene.h"
@@ -27,8 +30,14 @@ similitude_bed describe(const RealScene& scene);
 similitude_bed describe(const ModelScene& scene);
 
 /// The bed to be simulated. Lengths, speeds, times, densities, model parameters: everything is scaled here and nowhere else.
-/// Throws InputError if a ratio is not positive, or if it asks for what no model can take (another restitution).
+/// Throws InputError if a ratio is not positive, or if collisions would have to lose more energy than they have.
 ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios);
+
+/// Part of a collision's energy lost, beyond which a law that changes it is near its limit: e below 0.32.
+inline constexpr double k_energy_loss_near_limit = 0.9;
+
+/// What is doubtful about these ratios in this bed, in words, as InputError's.
+std::vector<std::string> scaling_warnings(const RealScene& real, const similitude_ratios& ratios);
 
 /// How results map back: x/r, t/sqrt(r), v/sqrt(r), omega sqrt(r); pressure and force by bed weight (by the gas's dynamic
 /// pressure in a bed without particles).

@@ -86,6 +86,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.ratios = ratios_of(assembly.scaling, real_bed, scene.models.scaling.mark);
   assembly.results = result_ratios(scene, assembly.ratios);
   assembly.model = simulated_bed(assembly.real, assembly.ratios);
+  assembly.warnings = scaling_warnings(assembly.real, assembly.ratios);
 
   const Models& models = assembly.model.models;
   const similitude_bed bed = describe(assembly.model);

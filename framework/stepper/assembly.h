@@ -2,6 +2,7 @@
 /// Which models meet in a case: every plugin created, the real bed scaled to the simulated one. Done once, at start.
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fluid/grid.h"
@@ -25,6 +26,7 @@ struct Assembly {
   std::vector<EffectModel> effects;      // those with something to do on particles
   similitude_contact_needs contact_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest
+  std::vector<std::string> warnings;     // of the scaling, in words
 
   bool coupled() const { return fluid.functions().sees_particles != 0; }
 };

@@ -77,6 +77,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   for (const std::string& warning : case_file.warnings) warn(warning);
   const Assembly assembly = assemble(case_file.scene, catalogue);
   const TimeSteps steps = choose_time_steps(assembly);
+  for (const std::string& warning : assembly.warnings) warn(warning);
   for (const std::string& warning : steps.warnings) warn(warning);
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();

@@ -152,7 +152,7 @@ TEST(DescriptorCheck, AParameterSaysWhatItIs) {
   EXPECT_FAULT(l.parameters[1].name = "factor", "drag model \"law\": parameter \"factor\" is declared twice.");
   EXPECT_FACTOR_FAULT(l.parameters[0].struct_size = 100, "its row has 100 bytes, this program reads 104.");
   EXPECT_FACTOR_FAULT(l.parameters[0].type = 4, "there is no type 4.");
-  EXPECT_FACTOR_FAULT(l.parameters[0].scales_as = 7, "there is no way of scaling 7.");
+  EXPECT_FACTOR_FAULT(l.parameters[0].scales_as = 8, "there is no way of scaling 8.");
   EXPECT_FACTOR_FAULT(l.parameters[0].unit = nullptr, "it has no unit.");
   EXPECT_FACTOR_FAULT(l.parameters[0].unit = "", "it has no unit; write \"1\" for a pure number.");
   EXPECT_FACTOR_FAULT(l.parameters[0].doc = nullptr, "it has no text that says what it is.");

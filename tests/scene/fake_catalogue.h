@@ -76,7 +76,7 @@ inline const Catalogue& fake_catalogue() {
   static const similitude_parameter spring[] = {
       required(
           typical(real("stiffness", "N/m", "normal spring", 0, 0, k_open, SIMILITUDE_SCALES_AS_STIFFNESS), 10, 1e6)),
-      required(real("restitution", "1", "normal restitution", 0, 0.01, 1)),
+      required(real("restitution", "1", "normal restitution", 0, 0.01, 1, SIMILITUDE_SCALES_AS_RESTITUTION)),
       real("friction", "1", "Coulomb friction", 0, 0, 2),
       real("glide_speed", "m/s", "speed of full sliding", 1, 0, k_open, SIMILITUDE_SCALES_AS_VELOCITY),
       real("youngs_modulus", "GPa", "elastic modulus", std::numeric_limits<double>::quiet_NaN(), 0, k_open,

@@ -182,21 +182,73 @@ TEST(SimulatedBed, RefusesRatiosThatMeanNothing) {
   }
 }
 
-TEST(SimulatedBed, RefusesAnotherRestitution) {
+double restitution_of(const ModelScene& bed) {
+  for (const ModelParameter& parameter : bed.models.contact.parameters)
+    if (parameter.scales_as == SIMILITUDE_SCALES_AS_RESTITUTION) return parameter.real;
+  ADD_FAILURE() << "no restitution";
+  return 0;
+}
+
+similitude_ratios losing(double energy_loss) {
   similitude_ratios ratios = identity_ratios();
-  ratios.energy_loss = 2;
+  ratios.energy_loss = energy_loss;
+  return ratios;
+}
+
+// 1 - e_c^2 = l (1 - e^2): 0.74 becomes 0.5669 for l = 1.5 and 0.3085 for l = 2.
+TEST(SimulatedBed, LosesMoreEnergyPerCollisionWhereALawWantsIt) {
+  const RealScene real = spouted_bed();
+  EXPECT_EQ(restitution_of(simulated_bed(real, losing(1))), 0.74);
+  EXPECT_NEAR(restitution_of(simulated_bed(real, losing(1.5))), 0.5669, 5e-5);
+  EXPECT_NEAR(restitution_of(simulated_bed(real, losing(2))), 0.3085, 5e-5);
+  const RealScene glass = spouted_bed({"models.contact.restitution=0.97"});
+  EXPECT_NEAR(restitution_of(simulated_bed(glass, losing(2))), 0.93904, 5e-6);
+  EXPECT_NEAR(restitution_of(simulated_bed(glass, losing(4))), 0.87384, 5e-6);
+  const RealScene elastic = spouted_bed({"models.contact.restitution=1"});
+  EXPECT_EQ(restitution_of(simulated_bed(elastic, losing(8))), 1);
+}
+
+// With e = 0.74 a collision can lose no more than 1/(1 - e^2) = 2.21 times its real loss.
+TEST(SimulatedBed, RefusesToLoseMoreEnergyThanThereIs) {
   try {
-    simulated_bed(spouted_bed(), ratios);
+    simulated_bed(spouted_bed(), losing(2.22));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(
-        std::string(error.what())
-            .find(
-                "terminal_velocity wants 1 - e^2 of the restitution e changed, and no contact model here takes that.\n"
-                "  Choose parameters of terminal_velocity that leave restitution alone."),
-        std::string::npos)
+    EXPECT_NE(std::string(error.what())
+                  .find("models.scaling: terminal_velocity wants grains to lose 2.22 times as much energy per collision, but with "
+                        "restitution: 0.74 nothing is left beyond 2.21 times.\n"
+                        "  Choose grains of less than 2.21 diameters, or leave the restitution as it is."),
+              std::string::npos)
         << error.what();
   }
+}
+
+TEST(SimulatedBed, RefusesAnotherRestitutionWithoutOne) {
+  RealScene real = spouted_bed();
+  for (ModelParameter& parameter : real.models.contact.parameters) parameter.scales_as = SIMILITUDE_SCALES_NOT;
+  try {
+    simulated_bed(real, losing(2));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("terminal_velocity wants 1 - e^2 of the restitution e changed, but the contact model linear_spring has no "
+                        "restitution.\n"
+                        "  Choose a contact model that has one, or parameters of terminal_velocity that leave restitution "
+                        "alone."),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ScalingWarnings, SpeakWhenHardlyAnyEnergyIsLeft) {
+  const RealScene real = spouted_bed();
+  EXPECT_TRUE(scaling_warnings(real, losing(1)).empty());
+  EXPECT_TRUE(scaling_warnings(real, losing(1.5)).empty());
+  const std::vector<std::string> warnings = scaling_warnings(real, losing(2));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "models.scaling: terminal_velocity takes restitution from 0.74 to 0.3085: 90 % of a collision's energy is lost, and "
+            "beyond 2.21 times the real loss nothing would be left.");
 }
 
 TEST(ResultRatios, MapPressureAndForceByBedWeight) {

@@ -17,7 +17,8 @@ struct FluentDem {
     using L = FluentDem;
     p.real("stiffness", &L::stiffness, {.unit = "N/m", .min = 0, .doc = "Normal spring."});
     p.real("restitution", &L::restitution,
-           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact."});
+           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact.",
+            .scales_as = Scales::as_restitution});
     p.real("mu_stick", &L::mu_stick, {.def = 0.5, .min = 0, .doc = "Friction coefficient of a contact at rest."});
     p.real("mu_glide", &L::mu_glide, {.def = 0.2, .min = 0, .doc = "Friction coefficient of a gliding contact."});
     p.real("v_glide", &L::v_glide,

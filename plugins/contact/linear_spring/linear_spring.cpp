@@ -23,7 +23,8 @@ struct LinearSpring {
     using L = LinearSpring;
     p.real("stiffness", &L::stiffness, {.unit = "N/m", .min = 0, .doc = "Normal spring."});
     p.real("restitution", &L::restitution,
-           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact."});
+           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact.",
+            .scales_as = Scales::as_restitution});
     p.real("friction", &L::friction,
            {.min = 0, .typical_min = 0, .typical_max = 1, .doc = "Coulomb coefficient; 0 leaves out spin and history."});
     p.real("tangential_stiffness_ratio", &L::tangential_stiffness_ratio,

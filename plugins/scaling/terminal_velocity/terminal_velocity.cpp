@@ -1,4 +1,4 @@
-#include <similitude/scaling_law.h>
+#include <similitude/scaling_families.h>
 
 namespace {
 using namespace similitude;
@@ -16,17 +16,16 @@ struct TerminalVelocity {
   /// With u* = t* = sqrt(r) the Reynolds number asks rho_f* = 1 / (n sqrt(r)), and the Archimedes number then
   /// rho_p n^2 - (rho_f / sqrt(r)) n - sqrt(r) (rho_p - rho_f) = 0; n is close to r^(1/4).
   Ratios ratios(const Bed& real) const {
-    if (!(real.particle_density > real.gas_density)) {
-      throw std::invalid_argument(
-          "terminal_velocity needs particles heavier than their gas.\n  Check scene.particles and scene.gas.density.");
-    }
+    require_heavy_particles(real, "terminal_velocity");
     const double root = std::sqrt(geometry);
     const double linear = real.gas_density / root;
     const double constant = root * (real.particle_density - real.gas_density);
     const double n = (linear + std::sqrt(linear * linear + 4 * real.particle_density * constant)) /
                      (2 * real.particle_density);
-    return {.length = geometry, .diameter = n, .drag_diameter = n, .gas_density = 1 / (n * root), .velocity = root,
-            .time = root, .stiffness = geometry * n, .modulus = geometry};
+    Ratios r = froude_scaled(geometry, n);
+    r.gas_density = 1 / (n * root);
+    keep_softness(r);
+    return r;
   }
 };
 

@@ -58,7 +58,8 @@ enum {
   SIMILITUDE_SCALES_AS_TIME = 3,
   SIMILITUDE_SCALES_AS_VELOCITY = 4,
   SIMILITUDE_SCALES_AS_STIFFNESS = 5,  /* spring stiffness, force per length */
-  SIMILITUDE_SCALES_AS_MODULUS = 6     /* elastic modulus, force per area */
+  SIMILITUDE_SCALES_AS_MODULUS = 6,    /* elastic modulus, force per area */
+  SIMILITUDE_SCALES_AS_RESTITUTION = 7 /* coefficient of restitution e: 1 - e^2 scales by energy_loss */
 };
 
 typedef struct similitude_parameter {

@@ -38,7 +38,8 @@ enum class Scales {
   as_time = SIMILITUDE_SCALES_AS_TIME,
   as_velocity = SIMILITUDE_SCALES_AS_VELOCITY,
   as_stiffness = SIMILITUDE_SCALES_AS_STIFFNESS,
-  as_modulus = SIMILITUDE_SCALES_AS_MODULUS
+  as_modulus = SIMILITUDE_SCALES_AS_MODULUS,
+  as_restitution = SIMILITUDE_SCALES_AS_RESTITUTION   // a pure number that some laws change; must be said
 };
 
 struct RealOptions {
