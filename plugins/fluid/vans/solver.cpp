@@ -133,6 +133,7 @@ void GasSolver::add_transport(const FaceFields& velocity) {
 /// and coefficient_ for the projection.
 void GasSolver::predict(const similitude_gas_step& step, double share, FaceFields& predicted) {
   const double inertia = options_.density / step.dt;
+  const bool whole_stress = options_.momentum == Momentum::model_b;
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     const double* const push = step.exchange_velocity + static_cast<Index>(a) * mesh_.cell_count;
@@ -145,10 +146,11 @@ void GasSolver::predict(const similitude_gas_step& step, double share, FaceField
       const auto mean = [&](const double* cells) { return 0.5 * (cells[face.below] + cells[face.above]); };
       const double fraction = fraction_[a][f];
       const double momentum = inertia * (fraction_old_[a][f] * velocity_[a][f]) + (share * options_.density) * gain_[a][u(n)];
-      const double force = fraction * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
+      const double stressed = whole_stress ? 1 : fraction;
+      const double force = stressed * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
       const double resistance = inertia * fraction + mean(step.exchange);
       predicted[a][f] = (momentum + force) / resistance;
-      mobility_[a][f] = fraction / resistance;
+      mobility_[a][f] = stressed / resistance;
       coefficient_[a][f] = fraction * mobility_[a][f];
     }
     set_boundaries(mesh_, component, step.time, predicted[a]);

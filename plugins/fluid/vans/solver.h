@@ -1,12 +1,13 @@
 #pragma once
-/// Volume-averaged Navier-Stokes, model A, incompressible, on a staggered grid:
+/// Volume-averaged Navier-Stokes, incompressible, on a staggered grid:
 ///
 ///   d(eps)/dt + div(eps u) = 0
-///   rho [d(eps u)/dt + div(eps u u)] = -eps grad p + eps div(tau) - E u + (E v) + R
+///   rho [d(eps u)/dt + div(eps u u)] = s (-grad p + div(tau)) - E u + (E v) + R
 ///
-/// with E, (E v) and R from the particles (similitude_gas_step) and p without its hydrostatic part. A step predicts u with
-/// the old pressure, drag already implicit, and projects: rho eps (u' - u*)/dt = -eps grad(p' - p) - E (u' - u*), so that
-/// the coefficient of the pressure equation carries 1/(1 + E dt/(eps rho)).
+/// with s = eps in model A and 1 in model B, E, (E v) and R from the particles (similitude_gas_step) and p without its
+/// hydrostatic part. A step predicts u with the old pressure, drag already implicit, and projects:
+/// rho eps (u' - u*)/dt = -s grad(p' - p) - E (u' - u*), so that the coefficient of the pressure equation, eps s/(rho eps/dt
+/// + E), carries 1/(1 + E dt/(eps rho)).
 ///
 /// Face values of cell fields are means of the two cells. With interpolation back by the same mean, what the gas loses on
 /// faces is what particles receive in cells: in a periodic box the momentum of gas and particles is conserved to rounding.
@@ -23,10 +24,18 @@
 
 namespace similitude::vans {
 
+/// Where the stress on what is immersed goes. Zhou et al. 2010, J. Fluid Mech. 661, 482 name the first two sets II and III.
+enum class Momentum {
+  model_a,      // the gas keeps eps (-grad p + div tau), the particles the rest
+  model_b,      // the gas keeps all of it, and the drag is K / eps
+  as_printed    // the gas as in model A, the particles none of it: momentum is lost
+};
+
 struct GasOptions {
   double density = 0;               // [kg/m^3]
   double viscosity = 0;             // [Pa s]
   Advection advection = Advection::tvd;
+  Momentum momentum = Momentum::model_a;
   double tolerance = 1e-7;          // [-], of a cell's mass balance relative to the throughput
   int most_iterations = 100;
 };
@@ -77,7 +86,7 @@ class GasSolver {
   FaceFields fraction_old_, fraction_;   // [-], start and end of step
   FaceFields coefficient_;               // [m^3 s/kg], of the pressure equation
   FaceFields gradient_;                  // [Pa/m]
-  FaceFields mobility_;                  // [m^3 s/kg], eps / (rho eps/dt + E) at active faces
+  FaceFields mobility_;                  // [m^3 s/kg], s / (rho eps/dt + E) at active faces
   std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
   std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
   std::array<std::vector<double>, 3> active_share_;   // [-], cells: one over the number of active faces along the axis

@@ -88,6 +88,7 @@ double GasSolver::measure_throughput(const similitude_gas_step& step) const {
 }
 
 void GasSolver::fill_cells(const similitude_gas_step& step) {
+  const bool reaches_particles = options_.momentum == Momentum::model_a;
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     const Index count = static_cast<Index>(component.faces.size());
@@ -107,7 +108,7 @@ void GasSolver::fill_cells(const similitude_gas_step& step) {
         for (Index i = 0; i < mesh_.cells[0]; ++i) {
           const Index cell = mesh_.cell({i, j, k}), low = mesh_.face(a, {i, j, k}), high = low + stride;
           velocity[cell] = 0.5 * (velocity_[a][u(low)] + velocity_[a][u(high)]);
-          stress[cell] = active_share_[a][u(cell)] * (force[u(low)] + force[u(high)]);
+          stress[cell] = reaches_particles ? active_share_[a][u(cell)] * (force[u(low)] + force[u(high)]) : 0;
         }
       }
     }
