@@ -78,9 +78,9 @@ double sphere_volume(double radius) { return 4.0 / 3 * std::numbers::pi * (radiu
 }  // namespace
 
 struct Coupling::Parts {
-  Parts(const ModelScene& scene, const Grid& grid, const DragModel& law, bool is_coupled)
+  Parts(const ModelScene& scene, const Grid& grid, const DragModel& law, bool is_coupled, DragForm form)
       : coupled(is_coupled), length(smoothing_length_of(scene)), gas_density(scene.gas_density), gravity(scene.gravity), map(grid),
-        smoothing(map, is_coupled ? length : 0), deposit(map), drag(scene, map, law), solids(map.cell_count()), at_cells(map.cell_count()),
+        smoothing(map, is_coupled ? length : 0), deposit(map), drag(scene, map, law, form), solids(map.cell_count()), at_cells(map.cell_count()),
         sizes(drag.needs_sauter_diameter() ? map.cell_count() : 0) {}
 
   bool coupled;
@@ -135,8 +135,8 @@ void Coupling::Parts::deposit_sizes(const ParticleStore& particles) {
   smoothing.apply(sizes);
 }
 
-Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled)
-    : parts_(std::make_unique<Parts>(scene, grid, drag, coupled)) {
+Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled, DragForm form)
+    : parts_(std::make_unique<Parts>(scene, grid, drag, coupled, form)) {
   const std::size_t cells = grid.cell_count();
   fields_.gas_fraction.assign(cells, 1.0);
   fields_.gas_fraction_old.assign(cells, 1.0);

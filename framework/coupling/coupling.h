@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "coupling/exchange_coefficient.h"
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
 #include "particles/store.h"
@@ -41,7 +42,8 @@ class Coupling {
  public:
   /// `coupled` false: a given gas (one-way); no solids fraction is deposited, eps is 1, nothing is charged to the gas and
   /// nothing is smoothed. Grid and drag law stay alive with the coupling; particle stores need StoreFields::coupling.
-  Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled);
+  Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled,
+           DragForm form = DragForm::as_given);
   ~Coupling();
   Coupling(const Coupling&) = delete;
   Coupling& operator=(const Coupling&) = delete;

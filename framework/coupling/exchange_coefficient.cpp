@@ -23,8 +23,8 @@ std::string describe(const ParticleStore& particles, std::size_t row) {
 
 }  // namespace
 
-ExchangeCoefficient::ExchangeCoefficient(const ModelScene& scene, const CellMap& map, const DragModel& law)
-    : map_(map), law_(law), classes_(scene.particles), gas_density_(scene.gas_density), gas_viscosity_(scene.gas_viscosity),
+ExchangeCoefficient::ExchangeCoefficient(const ModelScene& scene, const CellMap& map, const DragModel& law, DragForm form)
+    : map_(map), law_(law), form_(form), classes_(scene.particles), gas_density_(scene.gas_density), gas_viscosity_(scene.gas_viscosity),
       cell_size_(std::cbrt(map.cell_volume())) {
   needs_.struct_size = sizeof needs_;
   if (law.functions().needs) law.functions().needs(law.instance(), &needs_);
@@ -83,7 +83,8 @@ void ExchangeCoefficient::evaluate_block(std::size_t block, ParticleStore& parti
                     exchange, column(k_gas_fraction)[n], column(k_slip_speed)[n]);
       return;
     }
-    particles.gas[p].w = classes_[particles.species[p]].weight * exchange;
+    const double share = form_ == DragForm::over_gas_fraction ? 1 / column(k_gas_fraction)[n] : 1;
+    particles.gas[p].w = classes_[particles.species[p]].weight * (share * exchange);
   }
 }
 

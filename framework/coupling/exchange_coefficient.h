@@ -10,9 +10,12 @@
 
 namespace similitude {
 
+/// Drag laws give K of model A. Where the gas alone carries the stress (model B), the whole force is K / eps.
+enum class DragForm { as_given, over_gas_fraction };
+
 class ExchangeCoefficient {
  public:
-  ExchangeCoefficient(const ModelScene& scene, const CellMap& map, const DragModel& law);
+  ExchangeCoefficient(const ModelScene& scene, const CellMap& map, const DragModel& law, DragForm form);
 
   bool needs_sauter_diameter() const { return needs_.sauter_diameter != 0; }
 
@@ -40,6 +43,7 @@ class ExchangeCoefficient {
 
   const CellMap& map_;
   const DragModel& law_;
+  DragForm form_;
   std::vector<ParticleClass> classes_;
   double gas_density_, gas_viscosity_;   // [kg/m^3], [Pa s]
   double cell_size_;                     // [m], cube root of the cell's volume

@@ -62,6 +62,9 @@ using FluidModel = Model<similitude_fluid_functions>;
 using ScalingModel = Model<similitude_scaling_functions>;
 using EffectModel = Model<similitude_effect_functions>;
 
+/// What a solver asks for; zero throughout where its table ends before the hook or has none.
+similitude_fluid_needs needs_of(const FluidModel& fluid);
+
 class Catalogue {
  public:
   /// Looks at every file in the levels' folders. A refused file is remembered, not fatal; the same kind and id twice at

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 
@@ -70,6 +71,15 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
         plugin.file.empty() ? "" : "(from " + plugin.file.string() + ", version " + descriptor.version + ")");
   }
   return Model<Functions>(descriptor, instance);
+}
+
+similitude_fluid_needs needs_of(const FluidModel& fluid) {
+  similitude_fluid_needs needs{};
+  needs.struct_size = sizeof needs;
+  const similitude_fluid_functions& table = fluid.functions();
+  const bool reaches = table.struct_size >= offsetof(similitude_fluid_functions, needs) + sizeof table.needs;
+  if (reaches && table.needs != nullptr) table.needs(fluid.instance(), &needs);
+  return needs;
 }
 
 template ContactModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,

@@ -101,6 +101,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
 
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
+  assembly.fluid_needs = needs_of(assembly.fluid);
   return assembly;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/exchange_coefficient.h"
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
 #include "output/map_back.h"
@@ -25,10 +26,14 @@ struct Assembly {
   FluidModel fluid;
   std::vector<EffectModel> effects;      // those with something to do on particles
   similitude_contact_needs contact_needs{};
+  similitude_fluid_needs fluid_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest
   std::vector<std::string> warnings;     // of the scaling, in words
 
   bool coupled() const { return fluid.functions().sees_particles != 0; }
+  DragForm drag_form() const {
+    return fluid_needs.drag_over_gas_fraction != 0 ? DragForm::over_gas_fraction : DragForm::as_given;
+  }
 };
 
 /// An effect's answer to whether a bed calls for it.

@@ -54,12 +54,12 @@ void Guards::check_gas(const similitude_gas_report& report, const similitude_sta
     throw SimulationError(fmt::format("the gas is not finite at t = {:.6g} s.", time / ratios_.time),
                           "Lower time.gas_dt; if that does not help, look at fluid.pvd just before.");
   }
-  if (report.courant > k_courant_to_stop) {
+  if (courant_limits_ && report.courant > k_courant_to_stop) {
     throw SimulationError(fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; more than {} is unstable.",
                                       report.courant, time / ratios_.time, k_courant_to_stop),
                           fmt::format("Lower time.gas_dt by a factor {:.1f} or more.", report.courant / 0.5));
   }
-  if (report.courant > k_courant_to_warn) {
+  if (courant_limits_ && report.courant > k_courant_to_warn) {
     warn_once(said_courant_, fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; beyond {} the run stops. "
                                          "Lower time.gas_dt if that matters here.",
                                          report.courant, time / ratios_.time, k_courant_to_stop));

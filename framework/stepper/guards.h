@@ -12,7 +12,9 @@ namespace similitude {
 
 class Guards {
  public:
-  Guards(const ResultRatios& ratios, std::function<void(const std::string&)> warn) : ratios_(ratios), warn_(std::move(warn)) {}
+  /// `courant_limits` false: a gas that is not advected may cross any number of cells in a step.
+  Guards(const ResultRatios& ratios, std::function<void(const std::string&)> warn, bool courant_limits = true)
+      : ratios_(ratios), warn_(std::move(warn)), courant_limits_(courant_limits) {}
 
   /// After the DEM sub-steps. `time` in the simulated bed's seconds. Throws SimulationError.
   void check_particles(const EngineReport& report, double time);
@@ -25,6 +27,7 @@ class Guards {
 
   ResultRatios ratios_;
   std::function<void(const std::string&)> warn_;
+  bool courant_limits_;
   bool said_overlap_ = false, said_courant_ = false, said_mass_ = false;
 };
 

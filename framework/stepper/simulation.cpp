@@ -21,12 +21,12 @@ std::array<double, 3> cell_centre(const Grid& grid, std::size_t cell) {
 
 Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, ParticleStore particles,
                        std::function<void(const std::string&)> warn)
-    : assembly_(assembly), steps_(steps), particles_(std::move(particles)), guards_(assembly.results, std::move(warn)) {
+    : assembly_(assembly), steps_(steps), particles_(std::move(particles)), guards_(assembly.results, std::move(warn), assembly.fluid_needs.any_courant_number == 0) {
   const std::size_t cells = assembly.grid->cell_count();
   gas_.velocity.assign(3 * cells, 0);
   gas_.pressure.assign(cells, 0);
   gas_.stress_force.assign(3 * cells, 0);
-  coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled());
+  coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled(), assembly.drag_form());
   coupling_->start(particles_);
 
   const similitude_gas_step fields = gas_step();

@@ -68,7 +68,7 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
     }
   }
   const double inlet = largest_inlet_velocity(scene);
-  if (assembly.coupled() && inlet > 0) {
+  if (assembly.coupled() && assembly.fluid_needs.any_courant_number == 0 && inlet > 0) {
     limits.push_back({"gas CFL", fmt::format("Courant number {} at {} times the fastest inlet", k_advised_courant, k_jet_overshoot),
                       StepKind::gas, k_advised_courant * smallest_spacing(scene) / (k_jet_overshoot * inlet),
                       smallest_spacing(scene) / inlet, false});

@@ -73,6 +73,23 @@ TEST(Exchange, InterpolationIsTheAdjointOfTheDepositForPressure) {
   }
 }
 
+// Model B divides K by the gas fraction each particle sees, and charges the gas the same.
+TEST(Exchange, DividesTheDragByTheGasFractionWhereTheGasCarriesTheStress) {
+  const ModelScene scene = walled_scene();
+  const Grid grid(scene);
+  const DragFromFunctions drag([](const void*, const similitude_drag_block* b, similitude_status*) {
+    for (std::uint32_t n = 0; n < b->rows; ++n) b->exchange[n] = b->gas_fraction[n];   // K/eps = 1
+  });
+  Coupling coupling(scene, grid, drag.model(), true, DragForm::over_gas_fraction);
+  ParticleStore particles = scattered(scene, 400);
+  coupling.start(particles);
+  coupling.deposit(particles, rough_gas(grid), 1e-4);
+  double charged = 0;
+  for (std::size_t c = 0; c < grid.cell_count(); ++c) charged += coupling.fields().exchange[c] * grid.cell_volume();
+  for (const Row& gas : particles.gas) EXPECT_NEAR(gas.w, 1, 1e-15);
+  EXPECT_NEAR(charged, 400, 1e-12 * 400);
+}
+
 TEST(Exchange, UniformGasIsUniformAtParticles) {
   const ModelScene scene = walled_scene();
   const Grid grid(scene);

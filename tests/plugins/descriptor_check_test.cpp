@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <limits>
 
@@ -38,7 +39,7 @@ struct Library {
   similitude_contact_functions contact{
       sizeof(similitude_contact_functions), 0, needs, forces, contact_time, contact_time, nullptr};
   similitude_fluid_functions fluid{
-      sizeof(similitude_fluid_functions), 1, initialise, advance, nullptr, nullptr, nullptr, nullptr};
+      sizeof(similitude_fluid_functions), 1, initialise, advance, nullptr, nullptr, nullptr, nullptr, nullptr};
   similitude_scaling_functions scaling{sizeof(similitude_scaling_functions), 0, nullptr};
   similitude_effect_functions effect{sizeof(similitude_effect_functions), 0, nullptr, nullptr};
   similitude_descriptor model{sizeof(similitude_descriptor),
@@ -129,6 +130,13 @@ TEST(DescriptorCheck, WhatAKindCannotDoWithoutIsThere) {
                "contact model \"law\": its function contact_time is missing.");
   EXPECT_FAULT((l.model.kind = "contact", l.model.functions = &l.contact, l.contact.largest_stable_step = nullptr),
                "contact model \"law\": its function largest_stable_step is missing.");
+  // A table that ends before a hook appended later is sound; one that ends earlier is not.
+  EXPECT_FAULT((l.model.kind = "fluid", l.model.functions = &l.fluid,
+                l.fluid.struct_size = offsetof(similitude_fluid_functions, needs)),
+               "fine");
+  EXPECT_FAULT((l.model.kind = "fluid", l.model.functions = &l.fluid,
+                l.fluid.struct_size = offsetof(similitude_fluid_functions, load_state)),
+               "fluid model \"law\": its function table has 48 bytes, this program reads 56.");
   EXPECT_FAULT((l.model.kind = "fluid", l.model.functions = &l.fluid, l.fluid.initialise = nullptr),
                "fluid model \"law\": its function initialise is missing.");
   EXPECT_FAULT((l.model.kind = "fluid", l.model.functions = &l.fluid, l.fluid.advance = nullptr),

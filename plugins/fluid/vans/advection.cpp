@@ -37,12 +37,12 @@ void carry(const Component& component, std::size_t direction, Advection scheme, 
 
 void collect(const Component& component, std::size_t direction, double spacing, const std::vector<double>& transported,
              std::vector<double>& gain) {
-  const Index count = static_cast<Index>(component.faces.size());
+  const Index count = static_cast<Index>(component.sides.size());
   const double whole = 1 / spacing;
   const double half_box = direction == component.axis ? 2 / spacing : whole;
 #pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
-    const ActiveFace& face = component.faces[u(n)];
+    const Sides& face = component.sides[u(n)];
     const double per_length = n < component.open_count ? whole : half_box;
     gain[u(n)] -= (transported[u(face.high[direction])] - transported[u(face.low[direction])]) * per_length;
   }

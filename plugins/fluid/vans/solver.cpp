@@ -8,99 +8,21 @@
 
 namespace similitude::vans {
 
-namespace {
-
-/// visit(cell, its lower and upper face) for all cells, along one axis.
-template <class Visit>
-void for_each_cell(const Staggered& mesh, std::size_t axis, Visit&& visit) {
-  const Index step = mesh.face_stride(axis, axis);
-#pragma omp parallel for schedule(static) if (mesh.cell_count >= k_worth_threads)
-  for (Index k = 0; k < mesh.cells[2]; ++k) {
-    for (Index j = 0; j < mesh.cells[1]; ++j) {
-      const Index cell = mesh.cell({0, j, k}), face = mesh.face(axis, {0, j, k});
-      for (Index i = 0; i < mesh.cells[0]; ++i) visit(u(cell + i), u(face + i), u(face + i + step));
-    }
-  }
-}
-
-}  // namespace
-
 GasSolver::GasSolver(const similitude_grid& grid, const GasOptions& options)
-    : mesh_(grid), options_(options), components_(make_components(mesh_)), pressure_equation_(grid) {
+    : FaceFlow(grid, {.density = options.density, .tolerance = options.tolerance, .most_iterations = options.most_iterations}),
+      options_(options), components_{make_component(mesh_, tables_[0], 0), make_component(mesh_, tables_[1], 1),
+                                     make_component(mesh_, tables_[2], 2)} {
   std::size_t most_sites = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     velocity_[a].assign(u(component.rows), 0.0);
     stage_[a].assign(u(component.rows), 0.0);
-    gain_[a].assign(component.faces.size(), 0.0);
-    viscous_[a].assign(component.faces.size(), 0.0);
+    gain_[a].assign(tables_[a].faces.size(), 0.0);
+    viscous_[a].assign(tables_[a].faces.size(), 0.0);
     for (const auto& sites : component.sites) most_sites = std::max(most_sites, sites.size());
   }
-  for (FaceFields* field : {&flux_, &fraction_old_, &fraction_, &coefficient_, &gradient_, &mobility_}) {
-    *field = make_face_fields(mesh_);
-  }
+  fraction_old_ = make_face_fields(mesh_);
   site_.assign(most_sites, 0.0);
-  for (auto* field : {&divergence_, &right_side_, &increment_}) field->assign(u(mesh_.cell_count), 0.0);
-  for (auto& share : active_share_) share.assign(u(mesh_.cell_count), 0.0);
-  for (std::size_t a = 0; a < 3; ++a) set_active_shares(a);
-  refuse_inlets_without_outlet();
-}
-
-void GasSolver::start(const similitude_gas_step& fields) {
-  for (auto& axis : velocity_) std::fill(axis.begin(), axis.end(), 0.0);
-  std::fill_n(fields.velocity, 3 * mesh_.cell_count, 0.0);
-  std::fill_n(fields.pressure, mesh_.cell_count, 0.0);
-  std::fill_n(fields.stress_force, 3 * mesh_.cell_count, 0.0);
-}
-
-void GasSolver::set_face_fractions(const double* gas_fraction, FaceFields& fraction) const {
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
-    for (Index n = 0; n < count; ++n) {
-      const ActiveFace& face = component.faces[u(n)];
-      fraction[a][u(face.face)] = 0.5 * (gas_fraction[face.below] + gas_fraction[face.above]);
-    }
-    for (const PatchFace& inlet : component.velocity) fraction[a][u(inlet.face)] = 1;
-    copy_periodic_faces(mesh_, a, fraction[a]);
-  }
-}
-
-void GasSolver::set_flux(const FaceFields& fraction) {
-  for (std::size_t a = 0; a < 3; ++a) {
-#pragma omp parallel for schedule(static) if (mesh_.face_count[a] >= k_worth_threads)
-    for (Index f = 0; f < mesh_.face_count[a]; ++f) flux_[a][u(f)] = fraction[a][u(f)] * velocity_[a][u(f)];
-  }
-}
-
-void GasSolver::divergence_of(const FaceFields& field, std::vector<double>& out) const {
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double per_length = 1 / mesh_.spacing[a];
-    const double keep = a == 0 ? 0 : 1;
-    for_each_cell(mesh_, a, [&](std::size_t cell, std::size_t low, std::size_t high) {
-      out[cell] = keep * out[cell] + (field[a][high] - field[a][low]) * per_length;
-    });
-  }
-}
-
-/// gradient = grad of a cell field at active faces; `patch_value(patch)` holds half a cell beyond pressure patches.
-template <class PatchValue>
-void GasSolver::set_gradient(const double* field, PatchValue&& patch_value) {
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    const double per_length = 1 / mesh_.spacing[a];
-#pragma omp parallel for schedule(static) if (component.open_count >= k_worth_threads)
-    for (Index n = 0; n < component.open_count; ++n) {
-      const ActiveFace& face = component.faces[u(n)];
-      gradient_[a][u(face.face)] = (field[face.above] - field[face.below]) * per_length;
-    }
-    for (const PatchFace& outlet : component.pressure) {
-      const double outward = 2 * (patch_value(mesh_.grid->patches[outlet.patch]) - field[outlet.cell]) * per_length;
-      gradient_[a][u(outlet.face)] = outlet.side == 1 ? outward : -outward;
-    }
-    copy_periodic_faces(mesh_, a, gradient_[a]);
-  }
 }
 
 void GasSolver::viscous_force() {
@@ -133,58 +55,30 @@ void GasSolver::add_transport(const FaceFields& velocity) {
 /// and coefficient_ for the projection.
 void GasSolver::predict(const similitude_gas_step& step, double share, FaceFields& predicted) {
   const double inertia = options_.density / step.dt;
+  const bool whole_stress = options_.momentum == Momentum::model_b;
   for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
+    const FaceTable& table = tables_[a];
     const double* const push = step.exchange_velocity + static_cast<Index>(a) * mesh_.cell_count;
     const double* const owed = step.remainder + static_cast<Index>(a) * mesh_.cell_count;
-    const Index count = static_cast<Index>(component.faces.size());
+    const Index count = static_cast<Index>(table.faces.size());
 #pragma omp parallel for schedule(static) if (count >= k_worth_threads)
     for (Index n = 0; n < count; ++n) {
-      const ActiveFace& face = component.faces[u(n)];
+      const flow::ActiveFace& face = table.faces[u(n)];
       const std::size_t f = u(face.face);
       const auto mean = [&](const double* cells) { return 0.5 * (cells[face.below] + cells[face.above]); };
       const double fraction = fraction_[a][f];
       const double momentum = inertia * (fraction_old_[a][f] * velocity_[a][f]) + (share * options_.density) * gain_[a][u(n)];
-      const double force = fraction * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
+      const double stressed = whole_stress ? 1 : fraction;
+      const double force = stressed * (viscous_[a][u(n)] - gradient_[a][f]) + (mean(push) + mean(owed));
       const double resistance = inertia * fraction + mean(step.exchange);
       predicted[a][f] = (momentum + force) / resistance;
-      mobility_[a][f] = fraction / resistance;
+      mobility_[a][f] = stressed / resistance;
       coefficient_[a][f] = fraction * mobility_[a][f];
     }
-    set_boundaries(mesh_, component, step.time, predicted[a]);
-    copy_periodic_faces(mesh_, a, predicted[a]);
-    copy_periodic_faces(mesh_, a, coefficient_[a]);
+    set_boundaries(mesh_, table, components_[a], step.time, predicted[a]);
+    flow::copy_periodic_faces(mesh_, a, predicted[a]);
+    flow::copy_periodic_faces(mesh_, a, coefficient_[a]);
   }
-}
-
-SolveReport GasSolver::project(const similitude_gas_step& step, double& throughput) {
-  pressure_equation_.set_coefficients({coefficient_[0].data(), coefficient_[1].data(), coefficient_[2].data()});
-  set_flux(fraction_);
-  divergence_of(flux_, right_side_);
-#pragma omp parallel for schedule(static) if (mesh_.cell_count >= k_worth_threads)
-  for (Index c = 0; c < mesh_.cell_count; ++c) {
-    right_side_[u(c)] += (step.gas_fraction[c] - step.gas_fraction_old[c]) / step.dt;
-  }
-  throughput = measure_throughput(step);
-  const SolveReport solved = pressure_equation_.solve(
-      right_side_.data(), increment_.data(),
-      {.tolerance = options_.tolerance, .scale = throughput, .most_iterations = options_.most_iterations});
-  if (!solved.converged) throw_not_converged(solved);
-
-  set_gradient(increment_.data(), [](const similitude_patch&) { return 0.0; });
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    const Index count = static_cast<Index>(component.faces.size());
-#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
-    for (Index n = 0; n < count; ++n) {
-      const std::size_t f = u(component.faces[u(n)].face);
-      velocity_[a][f] -= mobility_[a][f] * gradient_[a][f];
-    }
-    copy_periodic_faces(mesh_, a, velocity_[a]);
-  }
-#pragma omp parallel for schedule(static) if (mesh_.cell_count >= k_worth_threads)
-  for (Index c = 0; c < mesh_.cell_count; ++c) step.pressure[c] += increment_[u(c)];
-  return solved;
 }
 
 void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& report) {
@@ -197,17 +91,43 @@ void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& 
   }
   set_flux(fraction_old_);
   viscous_force();
-  set_gradient(step.pressure, [](const similitude_patch& patch) { return patch.pressure; });
+  set_pressure_gradient(step.pressure);
   add_transport(velocity_);
   predict(step, 1, stage_);
   add_transport(stage_);
   predict(step, 0.5, velocity_);
-  double throughput = 0;
-  const SolveReport solved = project(step, throughput);
-  set_gradient(step.pressure, [](const similitude_patch& patch) { return patch.pressure; });
-  fill_cells(step);
-  report.iterations = solved.iterations;
-  fill_report(step, throughput, report);
+  const Projected projected = project(step);
+  fill_velocity(step);
+  if (options_.momentum == Momentum::model_a) fill_stress(step);
+  fill_report(step, projected, report);
+  fill_momentum(report);
+}
+
+/// What particles receive per volume: -grad p + div(tau).
+void GasSolver::fill_stress(const similitude_gas_step& step) {
+  FaceFields& force = gradient_;  // faces; zero where nothing is active
+  for (std::size_t a = 0; a < 3; ++a) {
+    const FaceTable& table = tables_[a];
+    const Index count = static_cast<Index>(table.faces.size());
+#pragma omp parallel for schedule(static) if (count >= k_worth_threads)
+    for (Index n = 0; n < count; ++n) {
+      const std::size_t f = u(table.faces[u(n)].face);
+      force[a][f] = viscous_[a][u(n)] - force[a][f];
+    }
+    flow::copy_periodic_faces(mesh_, a, force[a]);
+  }
+  FaceFlow::fill_stress(force, step);
+}
+
+void GasSolver::fill_momentum(similitude_gas_report& report) const {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const FaceTable& table = tables_[a];
+    double whole_boxes = 0, half_boxes = 0;
+    const Index count = static_cast<Index>(table.faces.size());
+    for (Index n = 0; n < table.open_count; ++n) whole_boxes += flux_[a][u(table.faces[u(n)].face)];
+    for (Index n = table.open_count; n < count; ++n) half_boxes += flux_[a][u(table.faces[u(n)].face)];
+    report.momentum[a] = options_.density * mesh_.cell_volume() * (whole_boxes + 0.5 * half_boxes);
+  }
 }
 
 }  // namespace similitude::vans

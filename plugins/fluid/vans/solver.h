@@ -1,12 +1,13 @@
 #pragma once
-/// Volume-averaged Navier-Stokes, model A, incompressible, on a staggered grid:
+/// Volume-averaged Navier-Stokes, incompressible, on a staggered grid:
 ///
 ///   d(eps)/dt + div(eps u) = 0
-///   rho [d(eps u)/dt + div(eps u u)] = -eps grad p + eps div(tau) - E u + (E v) + R
+///   rho [d(eps u)/dt + div(eps u u)] = s (-grad p + div(tau)) - E u + (E v) + R
 ///
-/// with E, (E v) and R from the particles (similitude_gas_step) and p without its hydrostatic part. A step predicts u with
-/// the old pressure, drag already implicit, and projects: rho eps (u' - u*)/dt = -eps grad(p' - p) - E (u' - u*), so that
-/// the coefficient of the pressure equation carries 1/(1 + E dt/(eps rho)).
+/// with s = eps in model A and 1 in model B, E, (E v) and R from the particles (similitude_gas_step) and p without its
+/// hydrostatic part. A step predicts u with the old pressure, drag already implicit, and projects:
+/// rho eps (u' - u*)/dt = -s grad(p' - p) - E (u' - u*), so that the coefficient of the pressure equation, eps s/(rho eps/dt
+/// + E), carries 1/(1 + E dt/(eps rho)).
 ///
 /// Face values of cell fields are means of the two cells. With interpolation back by the same mean, what the gas loses on
 /// faces is what particles receive in cells: in a periodic box the momentum of gas and particles is conserved to rounding.
@@ -19,70 +20,52 @@
 #include <string>
 
 #include "advection.h"
-#include "fluid/multigrid_cg.h"
+#include "fluid/face_flow.h"
 
 namespace similitude::vans {
+
+/// Where the stress on what is immersed goes. Zhou et al. 2010, J. Fluid Mech. 661, 482 name the first two sets II and III.
+enum class Momentum {
+  model_a,      // the gas keeps eps (-grad p + div tau), the particles the rest
+  model_b,      // the gas keeps all of it, and the drag is K / eps
+  as_printed    // the gas as in model A, the particles none of it: momentum is lost
+};
 
 struct GasOptions {
   double density = 0;               // [kg/m^3]
   double viscosity = 0;             // [Pa s]
   Advection advection = Advection::tvd;
+  Momentum momentum = Momentum::model_a;
   double tolerance = 1e-7;          // [-], of a cell's mass balance relative to the throughput
   int most_iterations = 100;
 };
 
-class GasSolver {
+class GasSolver : public flow::FaceFlow {
  public:
   /// `grid` stays valid. Throws std::invalid_argument if an inlet has no outlet.
   GasSolver(const similitude_grid& grid, const GasOptions& options);
 
   /// Gas at rest at p = 0. Fills the step's fields.
-  void start(const similitude_gas_step& fields);
+  using FaceFlow::start;
   /// Throws std::runtime_error with cause and advice if the pressure equation does not converge or a velocity is not finite.
   void advance(const similitude_gas_step& step, similitude_gas_report& report);
 
-  /// Velocities on faces, the whole memory of the solver beyond the step's fields.
-  std::uint64_t state_size() const;
-  void save(double* out) const;
-  void load(const double* in);
-
-  /// [m/s], in the layout of similitude_grid; u is interstitial, the superficial one on inlets.
-  const std::vector<double>& face_velocity(std::size_t axis) const { return velocity_[axis]; }
-
  private:
-  void set_face_fractions(const double* gas_fraction, FaceFields& fraction) const;
-  void set_flux(const FaceFields& fraction);
-  template <class PatchValue>
-  void set_gradient(const double* field, PatchValue&& patch_value);
-  void set_active_shares(std::size_t axis);
-  void refuse_inlets_without_outlet() const;
-  void divergence_of(const FaceFields& field, std::vector<double>& out) const;
   void viscous_force();
   void add_transport(const FaceFields& velocity);
   void predict(const similitude_gas_step& step, double share, FaceFields& predicted);
-  double measure_throughput(const similitude_gas_step& step) const;
-  SolveReport project(const similitude_gas_step& step, double& throughput);
-  void fill_cells(const similitude_gas_step& step);
-  void fill_report(const similitude_gas_step& step, double throughput, similitude_gas_report& report);
-  [[noreturn]] void throw_not_converged(const SolveReport& solved) const;
+  void fill_stress(const similitude_gas_step& step);
+  void fill_momentum(similitude_gas_report& report) const;
 
-  Staggered mesh_;
   GasOptions options_;
   std::array<Component, 3> components_;
-  MultigridCG pressure_equation_;
 
-  FaceFields velocity_;                  // [m/s], faces and slots
-  FaceFields stage_;                     // [m/s], the intermediate velocity of advection
-  FaceFields flux_;                      // [m/s], eps u
-  FaceFields fraction_old_, fraction_;   // [-], start and end of step
-  FaceFields coefficient_;               // [m^3 s/kg], of the pressure equation
-  FaceFields gradient_;                  // [Pa/m]
-  FaceFields mobility_;                  // [m^3 s/kg], eps / (rho eps/dt + E) at active faces
+  // velocity_ holds slots after the faces (stencils.h).
+  FaceFields stage_;          // [m/s], the intermediate velocity of advection
+  FaceFields fraction_old_;   // [-], start of step
   std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
   std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
-  std::array<std::vector<double>, 3> active_share_;   // [-], cells: one over the number of active faces along the axis
-  std::vector<double> site_;             // scratch, sites
-  std::vector<double> divergence_, right_side_, increment_;   // cells
+  std::vector<double> site_;  // scratch, sites
 };
 
 }  // namespace similitude::vans

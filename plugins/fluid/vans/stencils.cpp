@@ -19,22 +19,24 @@ struct Halves {
 
 class Builder {
  public:
-  Builder(const Staggered& mesh, std::size_t axis) : mesh_(mesh), axis_(axis) {
+  Builder(const Staggered& mesh, const FaceTable& table, std::size_t axis) : mesh_(mesh), table_(table), axis_(axis) {
     made_.axis = axis;
+    made_.open_count = table.open_count;
+    made_.sides.resize(table.faces.size());
+    for (const flow::ActiveFace& active : table.faces) at_.push_back(place_of(active.face));
     next_slot_ = static_cast<Row>(mesh.face_count[axis]);
   }
 
   Component build() {
-    collect_faces();
     for (std::size_t b = 0; b < 3; ++b) {
       high_site_.assign(u(mesh_.face_count[axis_]), k_none);
-      for (std::size_t n = 0; n < made_.faces.size(); ++n) {
-        made_.faces[n].high[b] = b == axis_ ? site_along(n, 1) : site_across(n, b, 1);
-        high_site_[u(made_.faces[n].face)] = made_.faces[n].high[b];
+      for (std::size_t n = 0; n < table_.faces.size(); ++n) {
+        made_.sides[n].high[b] = b == axis_ ? site_along(n, 1) : site_across(n, b, 1);
+        high_site_[u(table_.faces[n].face)] = made_.sides[n].high[b];
       }
-      for (std::size_t n = 0; n < made_.faces.size(); ++n) {
+      for (std::size_t n = 0; n < table_.faces.size(); ++n) {
         const Row shared = site_below(n, b);
-        made_.faces[n].low[b] = shared != k_none ? shared : b == axis_ ? site_along(n, 0) : site_across(n, b, 0);
+        made_.sides[n].low[b] = shared != k_none ? shared : b == axis_ ? site_along(n, 0) : site_across(n, b, 0);
       }
     }
     made_.rows = next_slot_;
@@ -42,41 +44,9 @@ class Builder {
   }
 
  private:
-  void collect_faces() {
-    std::vector<Triple> pressure_at;
-    std::vector<ActiveFace> pressure_faces;
-    Triple at{};
-    Triple extent = mesh_.face_extent[axis_];
-    extent[axis_] = mesh_.distinct_faces(axis_);
-    for (at[2] = 0; at[2] < extent[2]; ++at[2]) {
-      for (at[1] = 0; at[1] < extent[1]; ++at[1]) {
-        for (at[0] = 0; at[0] < extent[0]; ++at[0]) {
-          const Row face = static_cast<Row>(mesh_.face(axis_, at));
-          const auto [below, above] = mesh_.cells_of_face(axis_, at);
-          ActiveFace active{};
-          active.face = face;
-          active.below = static_cast<Row>(below >= 0 ? below : above);
-          active.above = static_cast<Row>(above >= 0 ? above : below);
-          if (mesh_.is_open(axis_, face)) {
-            made_.faces.push_back(active);
-            at_.push_back(at);
-          } else if (mesh_.patch(axis_, face)) {
-            const PatchFace patch{face, active.below, below >= 0 ? 1 : 0,
-                                  mesh_.kind(axis_, face) - SIMILITUDE_FACE_PATCH};
-            if (mesh_.is_pressure(axis_, face)) {
-              made_.pressure.push_back(patch);
-              pressure_faces.push_back(active);
-              pressure_at.push_back(at);
-            } else {
-              made_.velocity.push_back(patch);
-            }
-          }
-        }
-      }
-    }
-    made_.open_count = static_cast<Index>(made_.faces.size());
-    made_.faces.insert(made_.faces.end(), pressure_faces.begin(), pressure_faces.end());
-    at_.insert(at_.end(), pressure_at.begin(), pressure_at.end());
+  Triple place_of(Index face) const {
+    const Triple& extent = mesh_.face_extent[axis_];
+    return {face % extent[0], face / extent[0] % extent[1], face / (extent[0] * extent[1])};
   }
 
   /// Moves a face position by one along `direction`; false where the domain ends.
@@ -146,7 +116,7 @@ class Builder {
 
   Row site_across(std::size_t n, std::size_t b, int side) {
     const Triple& at = at_[n];
-    const Row face = made_.faces[n].face;
+    const Row face = table_.faces[n].face;
     const Halves both = halves(at, b, side);
     Site site{};
     site.flux = both.face;
@@ -176,10 +146,10 @@ class Builder {
 
   Row site_along(std::size_t n, int side) {
     const Triple& at = at_[n];
-    const Row face = made_.faces[n].face;
+    const Row face = table_.faces[n].face;
     Triple next = at;
     const bool ends = !step(next, axis_, side);
-    made_.cell_of_site.push_back(ends ? k_none : side == 1 ? made_.faces[n].above : made_.faces[n].below);
+    made_.cell_of_site.push_back(ends ? k_none : side == 1 ? table_.faces[n].above : table_.faces[n].below);
     if (ends) return add(axis_, {face, face, face, face, {face, face}, 0, 0});  // a pressure patch
     const Row other = static_cast<Row>(mesh_.face(axis_, next));
     const Row far_here = far_along(at, next, 1 - side), far_there = far_along(next, at, side);
@@ -201,6 +171,7 @@ class Builder {
   }
 
   const Staggered& mesh_;
+  const FaceTable& table_;
   std::size_t axis_;
   Component made_;
   std::vector<Triple> at_;       // by active face
@@ -212,20 +183,8 @@ class Builder {
 
 }  // namespace
 
-std::array<Component, 3> make_components(const Staggered& mesh) {
-  return {Builder(mesh, 0).build(), Builder(mesh, 1).build(), Builder(mesh, 2).build()};
-}
-
-void copy_periodic_faces(const Staggered& mesh, std::size_t axis, std::vector<double>& faces) {
-  if (!mesh.periodic[axis]) return;
-  const std::size_t v = (axis + 1) % 3, w = (axis + 2) % 3;
-  const Index from_first_to_last = mesh.cells[axis] * mesh.face_stride(axis, axis);
-  for (Index q = 0; q < mesh.cells[w]; ++q) {
-    for (Index p = 0; p < mesh.cells[v]; ++p) {
-      const Index first = p * mesh.face_stride(axis, v) + q * mesh.face_stride(axis, w);
-      faces[u(first + from_first_to_last)] = faces[u(first)];
-    }
-  }
+Component make_component(const Staggered& mesh, const FaceTable& table, std::size_t axis) {
+  return Builder(mesh, table, axis).build();
 }
 
 }  // namespace similitude::vans

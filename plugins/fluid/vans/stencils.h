@@ -10,11 +10,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "fields.h"
+#include "fluid/face_tables.h"
 
 namespace similitude::vans {
 
-using Row = std::int32_t;
+using flow::FaceFields;
+using flow::FaceTable;
+using flow::make_face_fields;
+using flow::Row;
+using flow::u;
 
 struct Site {
   Row far_below, below, above, far_above;  // velocities along the direction of transport
@@ -23,17 +27,9 @@ struct Site {
   float cross;                             // [-], of the gradient of the crossing velocity
 };
 
-/// A face whose velocity is solved for: open, or on a pressure patch.
-struct ActiveFace {
-  Row face;
-  Row below, above;          // cells; the same one twice at a pressure patch
-  std::array<Row, 3> low, high;   // sites by direction
-};
-
-struct PatchFace {
-  Row face, cell;
-  int side;                  // 0: the cell lies above the face, 1: below
-  int patch;
+/// The sites around one active face, by direction.
+struct Sides {
+  std::array<Row, 3> low, high;
 };
 
 /// value = mean of two walls' velocities; patch -1: at rest.
@@ -50,9 +46,8 @@ struct MirrorSlot {
 /// Everything about one velocity component.
 struct Component {
   std::size_t axis;
-  std::vector<ActiveFace> faces;        // open ones first
-  Index open_count;
-  std::vector<PatchFace> pressure, velocity;   // `pressure` in the order of the faces from open_count on
+  Index open_count;                     // of active faces; the others lie on pressure patches
+  std::vector<Sides> sides;             // of active faces, in the order of the face table
   std::array<std::vector<Site>, 3> sites;      // by direction of transport
   std::vector<Row> cell_of_site;               // of sites along the axis; -1 at the outer side of a pressure patch
   std::vector<WallSlot> walls;
@@ -60,6 +55,6 @@ struct Component {
   Index rows;                           // faces and slots
 };
 
-std::array<Component, 3> make_components(const Staggered& mesh);
+Component make_component(const Staggered& mesh, const FaceTable& table, std::size_t axis);
 
 }  // namespace similitude::vans

@@ -33,11 +33,11 @@ void tension_across(const Component& component, std::size_t direction, double vi
 void pull(const Component& component, std::size_t direction, double spacing, const std::vector<double>& tension,
           std::vector<double>& force) {
   const bool along = direction == component.axis;
-  const Index count = along ? component.open_count : static_cast<Index>(component.faces.size());
+  const Index count = along ? component.open_count : static_cast<Index>(component.sides.size());
   const double per_length = 1 / spacing;
 #pragma omp parallel for schedule(static) if (count >= k_worth_threads)
   for (Index n = 0; n < count; ++n) {
-    const ActiveFace& face = component.faces[u(n)];
+    const Sides& face = component.sides[u(n)];
     force[u(n)] += (tension[u(face.high[direction])] - tension[u(face.low[direction])]) * per_length;
   }
 }

@@ -286,7 +286,7 @@ typedef struct similitude_gas_step {
                                        the cell's particles) */
   double* pressure;                 /* [Pa], cells, full pressure minus rho g.x */
   double* stress_force;             /* [N/m^3], 3 x cells: -grad p + div tau, the force per volume on what is immersed;
-                                       one-sided at walls and baffles */
+                                       one-sided at walls and baffles; zero where particles feel none (model B) */
 } similitude_gas_step;
 
 typedef struct similitude_gas_report {
@@ -297,6 +297,13 @@ typedef struct similitude_gas_report {
   double courant;                   /* [-], largest sum over directions of |u| dt / h */
   double momentum[3];               /* [kg m/s], of the gas */
 } similitude_gas_report;
+
+/* How a solver differs from model A with inertia. Zero: it does not. */
+typedef struct similitude_fluid_needs {
+  uint32_t struct_size;
+  int32_t drag_over_gas_fraction;   /* 1: model B: particles feel, and the gas is charged, K / eps of the drag law's K */
+  int32_t any_courant_number;       /* 1: nothing is advected: the Courant number is reported, but limits no step */
+} similitude_fluid_needs;
 
 typedef struct similitude_fluid_functions {
   uint32_t struct_size;
@@ -310,6 +317,7 @@ typedef struct similitude_fluid_functions {
   uint64_t (*state_size)(const void* model);
   void (*save_state)(const void* model, double* out);
   void (*load_state)(void* model, const double* in);
+  void (*needs)(const void* model, similitude_fluid_needs* out);   /* null: all zero. [setup] */
 } similitude_fluid_functions;
 
 /* ------------------------------------------------------------------------------------------------------- effect */

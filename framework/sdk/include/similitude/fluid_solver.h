@@ -11,6 +11,7 @@
 ///   void prepare();  void prepare(const Bed&);                 once the parameters are in: gas density, viscosity
 ///   static constexpr bool sees_particles = false;              a given gas that needs no solids fraction
 ///   double largest_stable_step(const similitude_grid&) const;  [s], hard limits of explicit parts other than CFL. [setup]
+///   similitude_fluid_needs needs() const;                      how it differs from model A with inertia. [setup]
 ///   std::uint64_t state_size() const;                          numbers beyond the step's fields, for checkpoints; with
 ///   void save_state(double*) const;  void load_state(const double*);   [main]
 ///
@@ -33,6 +34,8 @@ struct FluidTable {
     s.save_state(out);
     s.load_state(in);
   };
+
+  static constexpr bool has_needs = requires(const Solver& s) { s.needs(); };
 
   static constexpr bool couples() {
     if constexpr (requires { Solver::sees_particles; }) return Solver::sees_particles;
@@ -72,6 +75,14 @@ struct FluidTable {
     if constexpr (has_state) model_of<Solver>(model).load_state(in);
   }
 
+  static void needs(const void* model, similitude_fluid_needs* out) {
+    if constexpr (has_needs) {
+      similitude_fluid_needs n = model_of<Solver>(model).needs();
+      n.struct_size = out->struct_size;
+      std::memcpy(static_cast<void*>(out), &n, std::min<std::size_t>(out->struct_size, sizeof n));
+    }
+  }
+
   static constexpr similitude_fluid_functions functions = {
       sizeof(similitude_fluid_functions),
       couples() ? 1 : 0,
@@ -80,7 +91,8 @@ struct FluidTable {
       has_limit ? &largest_stable_step : nullptr,
       has_state ? &state_size : nullptr,
       has_state ? &save_state : nullptr,
-      has_state ? &load_state : nullptr};
+      has_state ? &load_state : nullptr,
+      has_needs ? &needs : nullptr};
 };
 
 template <class Solver>
