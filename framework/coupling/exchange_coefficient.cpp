@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -49,7 +50,7 @@ void ExchangeCoefficient::evaluate_block(std::size_t block, ParticleStore& parti
     const Row& v = particles.velocity[p];
     const double dx = at.x - v.x, dy = at.y - v.y, dz = at.z - v.z;
     column(k_diameter)[n] = drag_diameter(particles, p);
-    column(k_gas_fraction)[n] = at.w;
+    column(k_gas_fraction)[n] = std::min(at.w, 1.0);   // weights sum to one only to rounding, and laws take sqrt(1 - eps)
     column(k_slip_speed)[n] = std::sqrt(dx * dx + dy * dy + dz * dz);
     column(k_gas_density)[n] = gas_density_;
     column(k_gas_viscosity)[n] = gas_viscosity_;

@@ -23,8 +23,19 @@ const std::map<std::string, std::string>& parameters() {
   static const std::map<std::string, std::string> table{
       {"linear_spring", "stiffness: 200 N/m, restitution: 0.8, friction: 0.3"},
       {"fluent_dem", "stiffness: 200 N/m, restitution: 0.8"},
+      {"hertz_mindlin", "youngs_modulus: 1 MPa, poisson_ratio: 0.25, restitution: 0.8, friction: 0.3"},
+      {"hertz_thornton", "youngs_modulus: 1 MPa, poisson_ratio: 0.25, restitution: 0.8, friction: 0.3"},
+      {"haider_levenspiel", "sphericity: 0.8"},
       {"prescribed", "velocity_z: 0.8 m/s"},
+      {"parcel", "n: 1.5"},
+      {"coarse_grain", "n: 1.5"},
+      {"bierwisch", "n: 1.5"},
+      {"link", "n: 1.5"},
       {"terminal_velocity", "geometry: 0.5"},
+      {"glicksman", "geometry: 0.5"},
+      {"glicksman_full", "geometry: 0.5"},
+      {"similarity", "geometry: 0.5, n: 0.7"},
+      {"custom", "length: 0.5, diameter: 0.6, velocity: 0.7, time: 0.7"},
   };
   return table;
 }

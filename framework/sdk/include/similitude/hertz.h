@@ -96,7 +96,8 @@ struct HertzLaw {
            {.unit = "Pa", .min = 0, .typical_min = 1e5, .typical_max = 1e12, .doc = "Young's modulus; scales as a modulus."});
     p.real("poisson_ratio", &L::poisson_ratio, {.min = 0, .max = 0.5, .doc = "Poisson's ratio."});
     p.real("restitution", &L::restitution,
-           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact, at any speed."});
+           {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact, at any speed.",
+            .scales_as = Scales::as_restitution});
     p.real("friction", &L::friction,
            {.min = 0, .typical_min = 0, .typical_max = 1, .doc = "Coulomb coefficient; 0 leaves out spin and history."});
     p.real("partner_youngs_modulus", &L::partner_youngs_modulus,
