@@ -69,7 +69,7 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
         std::string(descriptor.kind) + " model \"" + descriptor.id + "\" cannot be created: " + words_of(status),
         plugin.file.empty() ? "" : "(from " + plugin.file.string() + ", version " + descriptor.version + ")");
   }
-  return Model<Functions>(descriptor, instance);
+  return Model<Functions>(descriptor, instance, sets);
 }
 
 template ContactModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,
