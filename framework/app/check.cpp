@@ -23,6 +23,7 @@ struct Inspection {
   TimeSteps steps;
   std::vector<std::string> pipeline;
   std::vector<FieldUse> fields;
+  std::vector<PairUse> pairs;
   std::vector<EffectVerdict> effects;
   PredictedCost cost;
 };
@@ -44,6 +45,10 @@ nlohmann::json as_json(const Inspection& seen) {
   for (const FieldUse& field : seen.fields) {
     page["fields"].push_back(
         {{"name", field.name}, {"bytes_per_item", field.bytes_per_item}, {"items", field.items}, {"because", field.because}});
+  }
+  for (const PairUse& pair : seen.pairs) {
+    nlohmann::json& one = page["contact_pairs"][pair.pair] = nlohmann::json::object();
+    for (const auto& [name, value] : pair.parameters) one[name] = value;
   }
   page["time_steps"] = {{"dt", seen.steps.dt * to_real},
                         {"gas_dt", seen.steps.gas_dt() * to_real},
@@ -85,6 +90,12 @@ void print(const Inspection& seen, std::ostream& out) {
   out << seen.assembly.real.title << "\n";
   out << "  real bed       " << bed_line(seen.assembly.real, seen.steps, seen.assembly.results.time) << "\n";
   out << "  simulated bed  " << bed_line(seen.assembly.model, seen.steps, 1) << "\n";
+  if (!seen.pairs.empty()) out << "\ncontacts by pairs of materials, where they differ (real bed)\n";
+  for (const PairUse& pair : seen.pairs) {
+    out << fmt::format("  {:<30}", pair.pair);
+    for (const auto& [name, value] : pair.parameters) out << fmt::format("  {} {}", name, value);
+    out << "\n";
+  }
   out << "\npipeline of a gas step\n";
   for (const std::string& pass : seen.pipeline) out << "  " << pass << "\n";
   out << fmt::format("\n{:<36}{:>10}{:>12}  {}\n", "field", "bytes/item", "items", "because");
@@ -119,6 +130,7 @@ int check(const CheckArguments& arguments) {
   for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);
+  seen.pairs = pair_uses(seen.assembly);
   seen.effects = effect_verdicts(seen.assembly, plugins);
   seen.cost = predict_cost(seen.assembly, seen.steps);
   if (arguments.json) {

@@ -45,16 +45,19 @@ template <class Functions>
 class Model {
  public:
   Model() = default;
-  Model(const similitude_descriptor& descriptor, void* instance)
-      : descriptor_(&descriptor), instance_(instance, descriptor.destroy) {}
+  Model(const similitude_descriptor& descriptor, void* instance, std::uint32_t sets = 1)
+      : descriptor_(&descriptor), instance_(instance, descriptor.destroy), sets_(sets) {}
   explicit operator bool() const { return descriptor_ != nullptr; }
   const similitude_descriptor& descriptor() const { return *descriptor_; }
   const Functions& functions() const { return *static_cast<const Functions*>(descriptor_->functions); }
   void* instance() const { return instance_.get(); }
+  /// Of parameters: a contact model has one for all contacts, or one for each pair of materials.
+  std::uint32_t sets() const { return sets_; }
 
  private:
   const similitude_descriptor* descriptor_ = nullptr;
   std::unique_ptr<void, void (*)(void*)> instance_{nullptr, nullptr};
+  std::uint32_t sets_ = 1;
 };
 using ContactModel = Model<similitude_contact_functions>;
 using DragModel = Model<similitude_drag_functions>;

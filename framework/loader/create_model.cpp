@@ -70,7 +70,7 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
         std::string(descriptor.kind) + " model \"" + descriptor.id + "\" cannot be created: " + words_of(status),
         plugin.file.empty() ? "" : "(from " + plugin.file.string() + ", version " + descriptor.version + ")");
   }
-  return Model<Functions>(descriptor, instance);
+  return Model<Functions>(descriptor, instance, sets);
 }
 
 similitude_fluid_needs needs_of(const FluidModel& fluid) {

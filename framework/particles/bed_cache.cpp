@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "scene/material_pairs.h"
+
 namespace similitude {
 
 namespace {
@@ -75,8 +77,8 @@ std::string bed_key(const ModelScene& scene, const ContactModel& law, const Fill
   key.line("height", scene.bed.height.value_or(-1)).line("seed", scene.bed.seed).line("dt", options.dt);
   key.line("softened", static_cast<bool>(options.softer_law));
   key.line("law", law.descriptor().id, law.descriptor().version ? law.descriptor().version : "");
-  for (const ModelParameter& parameter : scene.models.contact.parameters) {
-    key.line("parameter", parameter.name, parameter.real, parameter.text);
+  for (const ModelChoice& set : contact_sets(scene.models)) {
+    for (const ModelParameter& parameter : set.parameters) key.line("parameter", parameter.name, parameter.real, parameter.text);
   }
   return key.text();
 }

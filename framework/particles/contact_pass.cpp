@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "particles/pack.h"
+#include "scene/material_pairs.h"
 
 namespace similitude {
 
@@ -24,13 +25,24 @@ struct ContactPass::Run {
   std::uint32_t padded = 0;                 // rows with copies
 };
 
-ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, const Surfaces& surfaces, const Bricks& bricks,
-                         ContactLists& lists)
-    : particles_(particles), law_(law), surfaces_(surfaces), bricks_(bricks), lists_(lists) {
+ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
+                         const Bricks& bricks, ContactLists& lists)
+    : particles_(particles), law_(law), surfaces_(surfaces), bricks_(bricks), lists_(lists), materials_(classes + 1) {
   needs_.struct_size = sizeof(needs_);
   law.functions().needs(law.instance(), &needs_);
   if (needs_.rotation && !particles.fields.rotation) {
     throw std::invalid_argument("the contact law needs angular velocities: make the ParticleStore with fields.rotation");
+  }
+  if (law.sets() == 1) return;
+  const std::vector<MaterialPair> pairs = material_pairs(classes);
+  if (law.sets() != pairs.size()) {
+    throw std::invalid_argument("the contact law has " + std::to_string(law.sets()) + " parameter sets for " +
+                                std::to_string(pairs.size()) + " pairs of materials");
+  }
+  pair_of_.resize(materials_ * materials_);
+  for (std::uint32_t set = 0; set < pairs.size(); ++set) {
+    pair_of_[pairs[set].first * materials_ + pairs[set].second] = set;
+    pair_of_[pairs[set].second * materials_ + pairs[set].first] = set;
   }
 }
 
@@ -179,6 +191,22 @@ void ContactPass::fill_up(Run& run) {
   for (std::uint32_t n = run.rows; n < run.padded; ++n) run.columns.candidate[n] = run.columns.candidate[run.rows - 1];
 }
 
+void ContactPass::name_pairs(Run& run) {
+  const std::uint32_t* species = particles_.species.data();
+  for (std::uint32_t n = 0; n < run.padded; ++n) {
+    const Candidate contact = lists_.candidates[run.columns.candidate[n]];
+    run.columns.pair[n] = pair_of_[species[contact.owner] * materials_ + species[contact.partner]];
+  }
+}
+
+void ContactPass::name_pairs_with_wall(Run& run) {
+  const std::size_t wall = materials_ - 1;
+  for (std::uint32_t n = 0; n < run.padded; ++n) {
+    const std::uint32_t row = lists_.candidates[run.columns.candidate[n]].owner;
+    run.columns.pair[n] = pair_of_[particles_.species[row] * materials_ + wall];
+  }
+}
+
 void ContactPass::call_law(Run& run) {
   BlockColumns& c = run.columns;
   similitude_contact_block block{};
@@ -197,6 +225,7 @@ void ContactPass::call_law(Run& run) {
   block.radius_i = c.radius_i;
   block.radius_j = c.radius_j;
   block.effective_mass = c.effective_mass;
+  block.pair = pair_of_.empty() ? nullptr : c.pair;
   for (std::size_t h = 0; h < needs_.history_count; ++h) block.history[h] = c.history[h];
   similitude_status status;
   status.code = 0;
@@ -287,6 +316,7 @@ std::size_t ContactPass::piece(const Piece& piece, Run& run) {
     contacts += run.rows;
     fill_up(run);
     gather<Rotation, Periodic>(run);
+    if (!pair_of_.empty()) name_pairs(run);
     call_law(run);
     scatter<Rotation, Across>(run);
     run.rows = 0;
@@ -433,6 +463,7 @@ std::size_t ContactPass::surface_piece(Run& run, Row& push) {
     fill_up(run);
     while (run.rows < run.padded) gather_surface<Rotation>(run, k, touch);
     run.rows = rows;
+    if (!pair_of_.empty()) name_pairs_with_wall(run);
     call_law(run);
     scatter_surfaces<Rotation>(run, push);
     run.rows = 0;

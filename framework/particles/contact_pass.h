@@ -26,6 +26,7 @@ struct alignas(64) BlockColumns {
   alignas(64) Numbers effective_mass, lever_i, lever_j, force[3], couple[3], history[SIMILITUDE_MAX_HISTORY];
   // Touching candidates, filled up with copies to a whole block multiple; room for one pack more.
   std::uint32_t candidate[k_block_rows + 8];
+  alignas(64) std::uint32_t pair[k_block_rows];   // parameter set; of laws with several
 };
 
 /// The deepest contact so far, as seen by one brick.
@@ -46,9 +47,10 @@ struct LawComplaint {
 
 class ContactPass {
  public:
-  /// Throws std::invalid_argument if the law needs rotation and the store has none.
-  ContactPass(ParticleStore& particles, const ContactModel& law, const Surfaces& surfaces, const Bricks& bricks,
-              ContactLists& lists);
+  /// `classes` of particles in the scene. Throws std::invalid_argument if the law needs rotation and the store has none, or if
+  /// it has several parameter sets but not one for each pair of materials.
+  ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
+              const Bricks& bricks, ContactLists& lists);
 
   const similitude_contact_needs& needs() const { return needs_; }
   void set_reach(double reach) { reach_ = reach; }   // [m]
@@ -82,6 +84,8 @@ class ContactPass {
   void gather_history(Run& run, std::uint32_t first);
   void scatter_history(Run& run);
   void fill_up(Run& run);
+  void name_pairs(Run& run);
+  void name_pairs_with_wall(Run& run);
   void call_law(Run& run);
   void note_deepest(Run& run, std::uint32_t first, unsigned lanes);
   void forget(std::uint32_t candidate);
@@ -92,6 +96,8 @@ class ContactPass {
   const Bricks& bricks_;
   ContactLists& lists_;
   similitude_contact_needs needs_{};
+  std::size_t materials_ = 1;               // classes of particles and the wall
+  std::vector<std::uint32_t> pair_of_;      // parameter set by both materials; empty: one set for all
   double reach_ = 0;
   Column<Row> share_force_, share_torque_;   // per slot: what the partner feels
 };

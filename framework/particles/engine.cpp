@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include <omp.h>
 
@@ -61,7 +62,11 @@ struct Engine::Parts {
         needs(needs_of(model)),
         lists((needs.history_count + 3) / 4, scene.periodic[0] || scene.periodic[1] || scene.periodic[2]),
         carried(needs),
-        contacts(store, model, surfaces, bricks, lists) {}
+        contacts(store, model, scene.particles.size(), surfaces, bricks, lists) {
+    if (!scene.models.contact_pairs.empty() && model.sets() != scene.models.contact_pairs.size()) {
+      throw std::invalid_argument("the scene has contact parameters for each pair of materials, the law was made without them");
+    }
+  }
 
   static similitude_contact_needs needs_of(const ContactModel& model) {
     similitude_contact_needs needs{};
@@ -401,7 +406,8 @@ std::vector<std::string> Engine::passes() const {
   std::vector<std::string> out;
   out.push_back("neighbour list (half lists by bricks, rebuilt when a particle has moved by half the skin)");
   out.push_back("contacts (" + std::string(p.law.descriptor().id) + ", " + std::to_string(p.needs.history_count) +
-                " history values, " + (p.needs.rotation ? "with" : "without") + " rotation)");
+                " history values, " + (p.needs.rotation ? "with" : "without") + " rotation" +
+                (p.law.sets() > 1 ? ", " + std::to_string(p.law.sets()) + " pairs of materials)" : ")"));
   out.push_back("walls (" + std::to_string(p.surfaces.count()) + " surfaces)");
   out.push_back("exchange (shares of contacts across bricks)");
   out.push_back(std::string("integrate (semi-implicit Euler") + (p.particles.fields.coupling ? ", drag implicit)" : ")"));

@@ -51,7 +51,8 @@ class Engine {
  public:
   /// The scene gives walls, baffles, periodic directions and domain: six faces but for periodic ones; velocity patches are
   /// walls, pressure patches let particles out. Store, scene's bed and law stay alive with the engine. Throws
-  /// std::invalid_argument if the law needs rotation and the store has none.
+  /// std::invalid_argument if the law needs rotation and the store has none, or if its parameter sets are neither one for all
+  /// nor one for each pair of the scene's materials.
   Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options);
   ~Engine();
   Engine(const Engine&) = delete;

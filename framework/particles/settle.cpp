@@ -7,6 +7,7 @@
 
 #include "particles/engine.h"
 #include "particles/errors.h"
+#include "particles/impacts.h"
 
 namespace similitude {
 
@@ -23,26 +24,45 @@ constexpr std::int64_t k_most_steps = 1000000;  // of one phase; a bed takes som
 
 double magnitude(const std::array<double, 3>& g) { return std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]); }
 
-/// What sets the pace of settling: the lightest class, and how high the bed is in diameters.
+/// What sets the pace of settling: the lightest class, which materials meet, and how high the bed is in diameters.
 struct Scale {
   Scale(const ParticleStore& particles, const ModelScene& scene) : gravity(magnitude(scene.gravity)) {
     double volume = 0;
     std::size_t smallest = 0;
+    classes.resize(scene.particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p) {
       const double r = particles.position[p].w;
       volume += 4.0 / 3 * std::numbers::pi * (r * r * r);
       if (particles.velocity[p].w < particles.velocity[smallest].w) smallest = p;
+      if (particles.species[p] >= classes.size()) classes.resize(particles.species[p] + 1);
+      classes[particles.species[p]] = {particles.velocity[p].w, r};
     }
     mass = particles.velocity[smallest].w;
     diameter = 2 * particles.position[smallest].w;
     const double height = volume / (0.6 * scene.size[0] * scene.size[1]);
     layers = std::max(1.0, height / diameter);
   }
+  /// Of the quickest pair of materials.
   double contact_time(const ContactModel& law) const {
-    return law.functions().contact_time(law.instance(), 0, mass / 2, diameter / 4, impact_speed());
+    double least = HUGE_VAL;
+    for (const Impact& impact : possible_impacts(classes, law)) least = std::min(least, impact.contact_time(law, impact_speed()));
+    return least;
   }
   double largest_stable_step(const ContactModel& law) const {
-    return law.functions().largest_stable_step(law.instance(), 0, mass / 2, diameter / 4, impact_speed());
+    double least = HUGE_VAL;
+    for (const Impact& impact : possible_impacts(classes, law))
+      least = std::min(least, impact.largest_stable_step(law, impact_speed()));
+    return least;
+  }
+  /// Of the lightest class, were all its contacts those of the softest pair of materials.
+  double longest_contact_time(const ContactModel& law) const {
+    double longest = 0;
+    for (Impact impact : possible_impacts(classes, law)) {
+      impact.effective_mass = mass / 2;
+      impact.effective_radius = diameter / 4;
+      longest = std::max(longest, impact.contact_time(law, impact_speed()));
+    }
+    return longest;
   }
   double impact_speed() const { return std::sqrt(2 * gravity * diameter); }
 
@@ -50,6 +70,7 @@ struct Scale {
   double mass;       // [kg]
   double diameter;   // [m]
   double layers;     // [-]
+  std::vector<Sphere> classes;
 };
 
 /// A stretch of settling with one law and one step.
@@ -69,11 +90,12 @@ class Settling {
     scene_.patches.clear();   // nothing leaves while it settles
   }
 
-  /// The stiffness factor at which the bed's own weight presses the lowest particles together by k_soft_overlap.
+  /// The stiffness factor at which the bed's own weight presses the lowest particles together by k_soft_overlap, where the
+  /// softest pair of materials meets.
   double softness(const ContactModel& law) const {
     const double stiffness = scale_.layers * scale_.mass * scale_.gravity / (k_soft_overlap * scale_.diameter);
     const double slow = std::numbers::pi * std::sqrt(scale_.mass / 2 / stiffness);   // [s], contact time of that spring
-    const double ratio = scale_.contact_time(law) / slow;
+    const double ratio = scale_.longest_contact_time(law) / slow;
     return ratio * ratio;
   }
 
@@ -142,7 +164,7 @@ std::int64_t settle(ParticleStore& particles, const ModelScene& scene, const Con
   const auto step = [&](const ContactModel& spring) {
     return std::min(scale.contact_time(spring) / k_steps_per_contact, scale.largest_stable_step(spring) / 2);
   };
-  const auto listening = [&](const ContactModel& spring) { return k_listening_times * scale.contact_time(spring); };
+  const auto listening = [&](const ContactModel& spring) { return k_listening_times * scale.longest_contact_time(spring); };
 
   // Neighbours part without flying: their motion is overdamped. Then the bed falls the little way to its packing, braked at
   // the pace of a fall by one diameter: less and it bounces, more and it sinks like honey.

@@ -5,6 +5,7 @@
 #include "scene/document.h"
 #include "scene/messages.h"
 #include "scene/model_reader.h"
+#include "scene/pair_reader.h"
 #include "scene/resolved.h"
 #include "scene/scene_reader.h"
 #include "scene/section.h"
@@ -67,13 +68,14 @@ void read_effects(const Section& section, const Catalogue& catalogue, Models& mo
   }
 }
 
-void read_models(const Section& section, const Catalogue& catalogue, Models& models,
+void read_models(const Section& section, const Catalogue& catalogue, const Document& document, RealScene& scene,
                  std::vector<std::string>& warnings) {
+  Models& models = scene.models;
   const auto read = [&](const char* kind) {
     return read_model(kind, *section.node(kind), section.path(kind), catalogue, {}, warnings);
   };
   models.drag = read("drag");
-  models.contact = read("contact");
+  read_contact(*section.node("contact"), section.path("contact"), catalogue, document, scene, warnings);
   models.fluid = read("fluid");
   read_effects(section, catalogue, models, warnings);
 
@@ -106,7 +108,7 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   scene.title = root.given("title") ? root.text("title") : scene.name;
   result.plugin_paths = plugin_paths(document, folder_of(case_file));
   read_scene(root.section("scene"), scene);
-  read_models(root.section("models"), catalogue, scene.models, result.warnings);
+  read_models(root.section("models"), catalogue, document, scene, result.warnings);
   read_coupling(root.section("coupling"), scene);
   read_time(root.section("time"), scene);
   read_output(root.section("output"), scene);

@@ -330,4 +330,12 @@ const CaseKey& simulated_stiffness_key() {
   return key;
 }
 
+const CaseKey& contact_pair_key() {
+  static constexpr CaseKey key{.name = "pair",
+                               .form = Form::named_sections,
+                               .doc = "what differs between pairs of materials: two classes of particles, or a class and "
+                                      "wall, joined by a hyphen"};
+  return key;
+}
+
 }  // namespace similitude

@@ -68,4 +68,7 @@ KeyTable profile_keys();
 /// models.scaling.stiffness: a key of the framework that stands among the scaling law's own parameters.
 const CaseKey& simulated_stiffness_key();
 
+/// models.contact.pair: a key of the framework that stands among the contact model's own parameters.
+const CaseKey& contact_pair_key();
+
 }  // namespace similitude

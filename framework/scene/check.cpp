@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <similitude/abi.h>
+
 #include "scene/alignment.h"
 #include "scene/messages.h"
 #include "scene/units.h"
@@ -50,6 +52,23 @@ void check_particles(const RealScene& scene, const Document& document) {
                          scene.particles[0].name + " " + format_quantity(scene.particles[0].density, "kg/m^3") + ".",
                      "Give all classes one density, or use models.scaling: exact.");
   }
+}
+
+/// One simulated stiffness for all would undo what the pairs of materials say.
+void check_simulated_stiffness(const RealScene& scene, const Document& document) {
+  const Models& models = scene.models;
+  if (!models.simulated_stiffness) return;
+  for (const ModelChoice& set : models.contact_pairs)
+    for (std::size_t k = 0; k < set.parameters.size(); ++k) {
+      const ModelParameter &own = set.parameters[k], &first = models.contact_pairs[0].parameters[k];
+      const bool alike = own.real == first.real || (std::isnan(own.real) && std::isnan(first.real));
+      if (own.scales_as != SIMILITUDE_SCALES_AS_STIFFNESS || alike) continue;
+      const std::string path = "models.scaling.stiffness";
+      throw InputError(document.mark(path), path,
+                       "it would replace the " + own.name + " of every contact, but models.contact.pair gives pairs of materials "
+                       "different ones.",
+                       "Remove this key, or give all pairs one " + own.name + ".");
+    }
 }
 
 void check_amount(const RealScene& scene, const Document& document, std::vector<std::string>& warnings) {
@@ -237,6 +256,7 @@ void check_output(const RealScene& scene, const Document& document) {
 void check_case(const RealScene& scene, const Document& document, std::vector<std::string>& warnings) {
   check_cells(scene, document);
   check_particles(scene, document);
+  check_simulated_stiffness(scene, document);
   check_amount(scene, document, warnings);
   check_patches(scene);
   check_outlet(scene, document);

@@ -81,17 +81,10 @@ ModelParameter read_parameter(const Row& row, const std::string& model, const Do
 }
 
 ModelParameter default_of(const Row& row) {
-  ModelParameter parameter{row.name, row.default_value, "", row.scales_as, false};
-  if (row.type == SIMILITUDE_CHOICE) parameter = {row.name, 0, text_of(row.default_text), row.scales_as, false};
-  return parameter;
-}
-
-std::string example_of(const Row& row) {
-  if (row.type == SIMILITUDE_FLAG) return "true";
-  if (row.type == SIMILITUDE_CHOICE) return listed(split_choices(text_of(row.choices)));
-  double value = row.typical_minimum < row.typical_maximum ? row.typical_minimum : 1;
-  value = std::clamp(value, row.minimum, row.maximum);
-  return format_quantity(value, unit_of(row));
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  if (row.required != 0) return {row.name, nothing, "", row.scales_as, false};
+  if (row.type == SIMILITUDE_CHOICE) return {row.name, 0, text_of(row.default_text), row.scales_as, false};
+  return {row.name, row.default_value, "", row.scales_as, false};
 }
 
 const PluginEntry& find_model(const std::string& kind, const DocumentNode& id, const std::string& path,
@@ -105,38 +98,72 @@ const PluginEntry& find_model(const std::string& kind, const DocumentNode& id, c
   }
 }
 
+void check_names(const std::string& model, const std::vector<DocumentNode::Key>& keys, const std::string& path,
+                 const std::vector<std::string>& known) {
+  for (const DocumentNode::Key& key : keys) {
+    if (std::find(known.begin(), known.end(), key.name) != known.end()) continue;
+    throw InputError(key.mark, path + "." + key.name, model + " has no such parameter.",
+                     did_you_mean(key.name, known) +
+                         (known.empty() ? "It has none." : "Parameters of " + model + ": " + listed(known) + "."));
+  }
+}
+
+/// As read_parameters, the names checked already.
+std::vector<ModelParameter> parameters_in(const similitude_descriptor& model, const DocumentNode& node,
+                                          const std::string& path, std::vector<std::string>& warnings) {
+  std::vector<ModelParameter> parameters;
+  for (const Row& row : rows_of(model)) {
+    const DocumentNode* given = node.find(row.name);
+    const bool there = given != nullptr && given->kind != DocumentNode::Kind::nothing;
+    parameters.push_back(there ? read_parameter(row, model.id, *given, path + "." + row.name, warnings) : default_of(row));
+  }
+  return parameters;
+}
+
 }  // namespace
 
-ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path,
-                       const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
-                       std::vector<std::string>& warnings) {
+std::string doc_of_parameter(const similitude_parameter& row) { return doc_of(row); }
+
+std::string example_of_parameter(const similitude_parameter& row) {
+  if (row.type == SIMILITUDE_FLAG) return "true";
+  if (row.type == SIMILITUDE_CHOICE) return listed(split_choices(text_of(row.choices)));
+  double value = row.typical_minimum < row.typical_maximum ? row.typical_minimum : 1;
+  value = std::clamp(value, row.minimum, row.maximum);
+  return format_quantity(value, unit_of(row));
+}
+
+std::vector<ModelParameter> read_parameters(const similitude_descriptor& model, const DocumentNode& node,
+                                            const std::string& path, std::vector<std::string>& warnings) {
+  check_names(model.id, node.keys, path, names_of(model, {}));
+  return parameters_in(model, node, path, warnings);
+}
+
+ModelChoice read_common_parameters(const std::string& kind, const DocumentNode& node, const std::string& path,
+                                   const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
+                                   std::vector<std::string>& warnings) {
   const DocumentNode* id = node.is_scalar() ? &node : node.find("id");
   if (id == nullptr || !id->is_scalar())
     throw InputError(node.mark, path, "the id of a " + kind + " model is missing.",
                      "Write its id, or {id: …, parameter: value}. Models found: " + listed(catalogue.ids(kind)) + ".");
-  const PluginEntry& plugin = find_model(kind, *id, path, catalogue);
-  const similitude_descriptor& model = *plugin.descriptor;
-  ModelChoice choice{kind, id->text, {}, node.mark};
+  const similitude_descriptor& model = *find_model(kind, *id, path, catalogue).descriptor;
+  std::vector<DocumentNode::Key> parameters = node.keys;
+  std::erase_if(parameters, [](const DocumentNode::Key& key) { return key.name == "id"; });
+  check_names(id->text, parameters, path, names_of(model, framework_keys));
+  return {kind, id->text, parameters_in(model, node, path, warnings), node.mark};
+}
 
-  const std::vector<std::string> known = names_of(model, framework_keys);
-  for (const DocumentNode::Key& key : node.keys) {
-    if (key.name == "id" || std::find(known.begin(), known.end(), key.name) != known.end()) continue;
-    throw InputError(key.mark, path + "." + key.name, choice.id + " has no such parameter.",
-                     did_you_mean(key.name, known) +
-                         (known.empty() ? "It has none." : "Parameters of " + choice.id + ": " + listed(known) + "."));
-  }
-  for (const Row& row : rows_of(model)) {
-    const DocumentNode* given = node.find(row.name);
-    if (given != nullptr && given->kind != DocumentNode::Kind::nothing) {
-      choice.parameters.push_back(read_parameter(row, choice.id, *given, path + "." + row.name, warnings));
-    } else if (row.required != 0) {
-      throw InputError(
-          node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
-          (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of(row) + "}."
-                            : "Add for example " + std::string(row.name) + ": " + example_of(row) + "."));
-    } else {
-      choice.parameters.push_back(default_of(row));
-    }
+ModelChoice read_model(const std::string& kind, const DocumentNode& node, const std::string& path,
+                       const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
+                       std::vector<std::string>& warnings) {
+  const ModelChoice choice = read_common_parameters(kind, node, path, catalogue, framework_keys, warnings);
+  const similitude_descriptor& model = *catalogue.find(kind, choice.id)->descriptor;
+  for (std::size_t i = 0; i < choice.parameters.size(); ++i) {
+    const Row& row = model.parameters[i];
+    if (row.required == 0 || choice.parameters[i].given) continue;
+    throw InputError(
+        node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
+        (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of_parameter(row) + "}."
+                          : "Add for example " + std::string(row.name) + ": " + example_of_parameter(row) + "."));
   }
   return choice;
 }

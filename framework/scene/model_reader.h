@@ -18,4 +18,17 @@ ModelChoice read_model(const std::string& kind, const DocumentNode& node, const 
                        const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
                        std::vector<std::string>& warnings);
 
+/// The same without asking for every required parameter: those that are missing are NaN, or a choice without a text.
+ModelChoice read_common_parameters(const std::string& kind, const DocumentNode& node, const std::string& path,
+                                   const Catalogue& catalogue, const std::vector<std::string>& framework_keys,
+                                   std::vector<std::string>& warnings);
+
+/// A map of nothing but parameters, some or all of the model's: one for each row of its table.
+std::vector<ModelParameter> read_parameters(const similitude_descriptor& model, const DocumentNode& node,
+                                            const std::string& path, std::vector<std::string>& warnings);
+
+/// For messages: what a parameter is, without its full stop, and a value that could be written.
+std::string doc_of_parameter(const similitude_parameter& row);
+std::string example_of_parameter(const similitude_parameter& row);
+
 }  // namespace similitude

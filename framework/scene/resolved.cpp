@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/case_keys.h"
+#include "scene/material_pairs.h"
 #include "scene/units.h"
 
 namespace similitude {
@@ -29,27 +30,41 @@ std::string si_unit(const std::string& unit) {
   return parsed.decimal == 0 && parsed.factor == 1 ? unit : base_units(parsed.dimension);
 }
 
+Json value(const ModelParameter& parameter, const similitude_parameter& row) {
+  const std::string unit = row.unit == nullptr || *row.unit == 0 ? "1" : si_unit(row.unit);
+  if (row.type == SIMILITUDE_CHOICE) return parameter.text;
+  if (row.type == SIMILITUDE_FLAG) return parameter.real != 0;
+  if (row.type == SIMILITUDE_INTEGER) return static_cast<std::int64_t>(parameter.real);
+  if (unit == "1") return parameter.real;
+  return in(parameter.real, unit.c_str());
+}
+
+/// Neither given nor has it a default.
+bool is_open(const ModelParameter& parameter, const similitude_parameter& row) {
+  return row.type == SIMILITUDE_CHOICE ? parameter.text.empty() : std::isnan(parameter.real);
+}
+
 Json model(const ModelChoice& choice, const Catalogue& catalogue) {
   Json result{{"id", choice.id}};
   const PluginEntry* plugin = catalogue.find(choice.kind, choice.id);
   if (plugin == nullptr) return result;
   for (std::size_t i = 0; i < choice.parameters.size(); ++i) {
-    const ModelParameter& parameter = choice.parameters[i];
     const similitude_parameter& row = plugin->descriptor->parameters[i];
-    const std::string unit = row.unit == nullptr || *row.unit == 0 ? "1" : si_unit(row.unit);
-    if (row.type == SIMILITUDE_CHOICE) {
-      result[parameter.name] = parameter.text;
-    } else if (std::isnan(parameter.real)) {
-      continue;  // not given, and no default
-    } else if (row.type == SIMILITUDE_FLAG) {
-      result[parameter.name] = parameter.real != 0;
-    } else if (row.type == SIMILITUDE_INTEGER) {
-      result[parameter.name] = static_cast<std::int64_t>(parameter.real);
-    } else if (unit == "1") {
-      result[parameter.name] = parameter.real;
-    } else {
-      result[parameter.name] = in(parameter.real, unit.c_str());
-    }
+    if (!is_open(choice.parameters[i], row)) result[row.name] = value(choice.parameters[i], row);
+  }
+  return result;
+}
+
+/// What each pair says itself; the rest is common, so that --set still reaches it.
+Json contact_pairs(const RealScene& scene, const Catalogue& catalogue) {
+  Json result = Json::object();
+  const std::vector<MaterialPair> pairs = material_pairs(scene.particles.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const ModelChoice& choice = scene.models.contact_pairs[p];
+    const PluginEntry* plugin = catalogue.find(choice.kind, choice.id);
+    Json& one = result[pair_name(scene.particles, pairs[p])] = Json::object();
+    for (std::size_t i = 0; plugin != nullptr && i < choice.parameters.size(); ++i)
+      if (choice.parameters[i].given) one[choice.parameters[i].name] = value(choice.parameters[i], plugin->descriptor->parameters[i]);
   }
   return result;
 }
@@ -141,6 +156,8 @@ std::string resolved_case(const RealScene& scene, const std::vector<std::filesys
   Json& chosen = root["models"];
   chosen["drag"] = model(models.drag, catalogue);
   chosen["contact"] = model(models.contact, catalogue);
+  if (!models.contact_pairs.empty())
+    chosen["contact"][std::string(contact_pair_key().name)] = contact_pairs(scene, catalogue);
   chosen["fluid"] = model(models.fluid, catalogue);
   chosen["scaling"] = model(models.scaling, catalogue);
   if (models.simulated_stiffness) chosen["scaling"]["stiffness"] = in(*models.simulated_stiffness, "N/m");

@@ -103,6 +103,9 @@ struct ModelChoice {
 
 struct Models {
   ModelChoice drag, contact, fluid, scaling;
+  /// The contact model's parameters for each pair of materials, in the order of material_pairs(); `contact` then holds what
+  /// is common to them. Empty: `contact` for all.
+  std::vector<ModelChoice> contact_pairs;
   std::vector<ModelChoice> effects;
   bool effects_auto = true;
   std::optional<double> simulated_stiffness;   // [N/m], models.scaling.stiffness: replaces every scaled spring stiffness

@@ -73,29 +73,45 @@ Json parameter_schema(const similitude_parameter& row) {
   return with_doc(schema, doc, row.required != 0 ? "" : default_text);
 }
 
+/// Some or all of a contact model's parameters for each pair of materials.
+Json pair_schema(const Json& parameters) {
+  const Json one{{"type", Json::array({"object", "null"})}, {"properties", parameters}, {"additionalProperties", false}};
+  const Json pairs{{"type", "object"}, {"propertyNames", {{"pattern", "^[^. \\t]+-[^. \\t]+$"}}}, {"additionalProperties", one}};
+  return with_doc(pairs, std::string(contact_pair_key().doc), "");
+}
+
 /// A model of one kind: its id alone if nothing is required, or a map with its own parameters.
 Json model_schema(const std::string& kind, const Catalogue& catalogue) {
   Json choices = Json::array(), short_forms = Json::array();
   for (const PluginEntry& plugin : catalogue.plugins()) {
     const similitude_descriptor& model = *plugin.descriptor;
     if (model.kind != kind) continue;
-    Json properties{{"id", {{"const", model.id}}}};
+    Json properties = Json::object();
     Json required = Json::array({"id"});
     for (std::uint32_t i = 0; i < model.parameter_count; ++i) {
       const similitude_parameter& row = model.parameters[i];
       properties[row.name] = parameter_schema(row);
       if (row.required != 0) required.push_back(row.name);
     }
+    const Json pairs = pair_schema(properties);
+    properties["id"] = {{"const", model.id}};
+    if (kind == "contact") properties[std::string(contact_pair_key().name)] = pairs;
     if (kind == "scaling") {
       const CaseKey& key = simulated_stiffness_key();
       properties[std::string(key.name)] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
     }
     if (required.size() == 1) short_forms.push_back(model.id);
-    choices.push_back({{"type", "object"},
-                       {"title", model.title != nullptr ? model.title : model.id},
-                       {"properties", properties},
-                       {"required", required},
-                       {"additionalProperties", false}});
+    Json one{{"type", "object"},
+             {"title", model.title != nullptr ? model.title : model.id},
+             {"properties", properties},
+             {"additionalProperties", false}};
+    if (kind == "contact") {  // a parameter may be each pair's own
+      one["required"] = Json::array({"id"});
+      one["anyOf"] = Json::array({{{"required", required}}, {{"required", {contact_pair_key().name}}}});
+    } else {
+      one["required"] = required;
+    }
+    choices.push_back(one);
   }
   if (!short_forms.empty()) choices.insert(choices.begin(), Json{{"enum", short_forms}});
   if (choices.empty()) return false;  // no such plugin: nothing is valid

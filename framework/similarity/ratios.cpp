@@ -284,6 +284,7 @@ ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios)
   const std::optional<double>& stiffness = bed.models.simulated_stiffness;
   for (ModelChoice* model : {&bed.models.drag, &bed.models.contact, &bed.models.fluid})
     scale_model(*model, ratios, stiffness);
+  for (ModelChoice& pair : bed.models.contact_pairs) scale_model(pair, ratios, stiffness);
   for (ModelChoice& effect : bed.models.effects) scale_model(effect, ratios, stiffness);
 
   bed.time.end *= ratios.time;

@@ -1,16 +1,21 @@
 #include "stepper/assembly.h"
 
+#include "scene/material_pairs.h"
 #include "scene/messages.h"
 
 namespace similitude {
 namespace {
 
-std::vector<similitude_value> values_of(const ModelChoice& choice) {
-  std::vector<similitude_value> values;
-  values.reserve(choice.parameters.size());
+void append_values(std::vector<similitude_value>& values, const ModelChoice& choice) {
   for (const auto& parameter : choice.parameters) {
     values.push_back({parameter.real, parameter.text.empty() ? nullptr : parameter.text.c_str()});
   }
+}
+
+std::vector<similitude_value> values_of(const ModelChoice& choice) {
+  std::vector<similitude_value> values;
+  values.reserve(choice.parameters.size());
+  append_values(values, choice);
   return values;
 }
 
@@ -26,6 +31,36 @@ Model<Functions> create(const Catalogue& catalogue, const ModelChoice& choice, c
   const PluginEntry& entry = entry_of(catalogue, choice);
   in_use.push_back(entry);
   return create_model<Functions>(entry, bed, values_of(choice));
+}
+
+ContactModel create_contact(const PluginEntry& plugin, const ModelScene& scene) {
+  const std::span<const ModelChoice> sets = contact_sets(scene.models);
+  std::vector<similitude_value> values;
+  for (const ModelChoice& set : sets) append_values(values, set);
+  return create_model<similitude_contact_functions>(plugin, describe(scene), values, static_cast<std::uint32_t>(sets.size()));
+}
+
+/// Which pair of materials it is, a model cannot say itself.
+void throw_if_a_pair_is_refused(const PluginEntry& plugin, const ModelScene& scene) {
+  const std::vector<MaterialPair> pairs = material_pairs(scene.particles.size());
+  for (std::size_t p = 0; p < scene.models.contact_pairs.size(); ++p) {
+    try {
+      create_model<similitude_contact_functions>(plugin, describe(scene), values_of(scene.models.contact_pairs[p]));
+    } catch (const PluginError& refusal) {
+      throw PluginError("models.contact.pair." + pair_name(scene.particles, pairs[p]) + ": " + refusal.what());
+    }
+  }
+}
+
+ContactModel create_contact_of_case(const Catalogue& catalogue, const ModelScene& scene, std::vector<PluginEntry>& in_use) {
+  const PluginEntry& entry = entry_of(catalogue, scene.models.contact);
+  in_use.push_back(entry);
+  try {
+    return create_contact(entry, scene);
+  } catch (const PluginError&) {
+    throw_if_a_pair_is_refused(entry, scene);
+    throw;
+  }
 }
 
 similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& real, const SourceMark& mark) {
@@ -90,7 +125,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
 
   const Models& models = assembly.model.models;
   const similitude_bed bed = describe(assembly.model);
-  assembly.contact = create<similitude_contact_functions>(catalogue, models.contact, bed, assembly.plugins);
+  assembly.contact = create_contact_of_case(catalogue, assembly.model, assembly.plugins);
   assembly.drag = create<similitude_drag_functions>(catalogue, models.drag, bed, assembly.plugins);
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
   for (const ModelChoice& choice : models.effects) {
@@ -112,14 +147,18 @@ MapBack map_back(const Assembly& assembly) {
 }
 
 ContactModel softened_contact(const Assembly& assembly, double stiffness_factor) {
-  ModelChoice choice = assembly.model.models.contact;
-  for (auto& parameter : choice.parameters) {
-    if (parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS || parameter.scales_as == SIMILITUDE_SCALES_AS_MODULUS) {
-      parameter.real *= stiffness_factor;
+  ModelScene scene = assembly.model;
+  const auto soften = [stiffness_factor](ModelChoice& set) {
+    for (auto& parameter : set.parameters) {
+      if (parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS || parameter.scales_as == SIMILITUDE_SCALES_AS_MODULUS) {
+        parameter.real *= stiffness_factor;
+      }
     }
-  }
+  };
+  soften(scene.models.contact);
+  for (ModelChoice& set : scene.models.contact_pairs) soften(set);
   const PluginEntry entry{.descriptor = &assembly.contact.descriptor(), .file = {}, .level = {}, .hides = {}};
-  return create_model<similitude_contact_functions>(entry, describe(assembly.model), values_of(choice));
+  return create_contact(entry, scene);
 }
 
 }  // namespace similitude

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "particles/engine.h"
+#include "scene/material_pairs.h"
+#include "scene/units.h"
 #include "stepper/bed.h"
 #include "stepper/simulation.h"
 
@@ -69,6 +71,16 @@ double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
   return seconds_since(start) / k_steps;
 }
 
+/// A contact parameter's value as a case would give it; empty if it is not given.
+std::string written(const Assembly& assembly, const ModelChoice& set, std::size_t place) {
+  const similitude_parameter& row = assembly.contact.descriptor().parameters[place];
+  const ModelParameter& parameter = set.parameters[place];
+  if (row.type == SIMILITUDE_CHOICE) return parameter.text;
+  if (row.type == SIMILITUDE_FLAG) return parameter.real != 0 ? "true" : "false";
+  if (std::isnan(parameter.real)) return "";
+  return format_quantity(parameter.real, row.unit != nullptr && *row.unit != 0 ? row.unit : "1");
+}
+
 }  // namespace
 
 std::int64_t expected_particles(const ModelScene& scene) {
@@ -111,6 +123,21 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
     fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
   }
   return fields;
+}
+
+std::vector<PairUse> pair_uses(const Assembly& assembly) {
+  const RealScene& scene = assembly.real;
+  const std::vector<ModelChoice>& sets = scene.models.contact_pairs;
+  const std::vector<MaterialPair> pairs = material_pairs(scene.particles.size());
+  std::vector<PairUse> uses;
+  for (std::size_t p = 0; p < sets.size(); ++p) {
+    uses.push_back({.pair = pair_name(scene.particles, pairs[p]), .parameters = {}});
+    for (std::size_t k = 0; k < sets[p].parameters.size(); ++k) {
+      const auto differs = [&](const ModelChoice& set) { return written(assembly, set, k) != written(assembly, sets[0], k); };
+      if (std::ranges::any_of(sets, differs)) uses.back().parameters.emplace_back(sets[p].parameters[k].name, written(assembly, sets[p], k));
+    }
+  }
+  return uses;
 }
 
 std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stepper/assembly.h"
@@ -23,6 +24,12 @@ struct EffectVerdict {
   int verdict = -1;   // 1 needed, 0 negligible, -1 cannot tell
 };
 
+/// What the contact parameters of a pair of materials are where pairs differ, as they would be written; of the real bed.
+struct PairUse {
+  std::string pair;
+  std::vector<std::pair<std::string, std::string>> parameters;   // name, value
+};
+
 /// In real-bed terms, from a short calibration on this machine with the case's own models.
 struct PredictedCost {
   std::int64_t particles = 0;
@@ -36,6 +43,8 @@ struct PredictedCost {
 std::int64_t expected_particles(const ModelScene& scene);
 std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps);
 std::vector<FieldUse> field_uses(const Assembly& assembly);
+/// Empty if one set of parameters holds for all contacts.
+std::vector<PairUse> pair_uses(const Assembly& assembly);
 /// Every effect in the catalogue, asked for its relevance in the real bed.
 std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue);
 /// Runs a few hundred DEM sub-steps of a small packing and a few gas steps: about a second.

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "particles/impacts.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -34,21 +35,39 @@ double largest_inlet_velocity(const ModelScene& scene) {
   return speed;
 }
 
-TimeStepLimit contact_limit(const Assembly& assembly) {
-  TimeStepLimit limit{"contact time", fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact),
-                      StepKind::particles, k_never, k_never, false};
-  const auto& law = assembly.contact.functions();
-  void* model = assembly.contact.instance();
-  const double speed = free_fall_speed(assembly.model);
-  for (const auto& particles : assembly.model.particles) {
-    const double radius = particles.diameter / 2;
+bool has_walls(const ModelScene& scene) {
+  return !scene.baffles.empty() || std::ranges::any_of(scene.periodic, [](bool repeats) { return !repeats; });
+}
+
+std::vector<Impact> impacts_of(const Assembly& assembly) {
+  const ModelScene& scene = assembly.model;
+  std::vector<Sphere> classes;
+  for (const auto& particles : scene.particles) {
     const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
-    const double effective_mass = mass / 2;
-    const double effective_radius = radius / 2;
-    limit.advised = std::min(limit.advised,
-                             law.contact_time(model, 0, effective_mass, effective_radius, speed) / k_steps_per_contact);
-    limit.hard = std::min(limit.hard, law.largest_stable_step(model, 0, effective_mass, effective_radius, speed));
+    classes.push_back({mass, particles.diameter / 2});
   }
+  std::vector<Impact> impacts = possible_impacts(classes, assembly.contact);
+  if (!has_walls(scene)) std::erase_if(impacts, [&](const Impact& impact) { return impact.materials.second == classes.size(); });
+  return impacts;
+}
+
+TimeStepLimit contact_limit(const Assembly& assembly) {
+  TimeStepLimit limit{"contact time", "", StepKind::particles, k_never, k_never, false};
+  const double speed = free_fall_speed(assembly.model);
+  MaterialPair quickest, least_stable;
+  for (const Impact& impact : impacts_of(assembly)) {
+    const double advised = impact.contact_time(assembly.contact, speed) / k_steps_per_contact;
+    const double hard = impact.largest_stable_step(assembly.contact, speed);
+    if (advised < limit.advised) limit.advised = advised, quickest = impact.materials;
+    if (hard < limit.hard) limit.hard = hard, least_stable = impact.materials;
+  }
+  const auto& classes = assembly.model.particles;
+  if (classes.size() == 1 && assembly.contact.sets() == 1) {
+    limit.because = fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact);
+    return limit;
+  }
+  limit.because = fmt::format("{} steps per contact of the quickest pair, {}", k_steps_per_contact, pair_name(classes, quickest));
+  if (!(least_stable == quickest)) limit.because += fmt::format("; hard: of {}", pair_name(classes, least_stable));
   return limit;
 }
 

@@ -70,8 +70,16 @@ class Check(CommandTest):
         self.assertNotIn("angular_velocity", names)
         self.assertNotIn("tangential", names)
 
+    def test_pairs_of_materials_are_printed_where_they_differ(self):
+        pairs = SMALL.replace("friction: 0.2}", "friction: 0.2, pair: {alumina-alumina: {}, alumina-wall: {friction: 0.4}}}")
+        case = self.write(pairs)
+        self.assertIn("  alumina-wall                    friction 0.4\n", self.command("check", case).stdout)
+        override = ("--set", "models.contact.pair.alumina-wall.friction=0.3")
+        page = json.loads(self.command("check", case, "--json", *override).stdout)
+        self.assertEqual(page["contact_pairs"], {"alumina-alumina": {"friction": "0.2"}, "alumina-wall": {"friction": "0.3"}})
+
     def test_shipped_cases_are_right(self):
-        for case in ("quickstart.yaml", "spouted_bed/exact.yaml", "spouted_bed/terminal_velocity.yaml"):
+        for case in ("quickstart.yaml", "binary_bed.yaml", "spouted_bed/exact.yaml", "spouted_bed/terminal_velocity.yaml"):
             done = self.command("check", os.path.join(SOURCE, "configs", case))
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("predicted", done.stdout)

@@ -66,6 +66,14 @@ TEST_F(BedCache, IsAnotherBedWhenAnythingThatShapesItChanges) {
   EXPECT_NE(key, changed([](ModelScene& s) { s.bed.seed = 9; }));
   EXPECT_NE(key, changed([](ModelScene& s) { s.bed.height = 1e-3; }));
   EXPECT_NE(key, changed([](ModelScene& s) { s.models.contact.parameters[0].real *= 2; }));
+  const auto with_pairs = [](double second) {
+    return [second](ModelScene& s) {
+      s.models.contact_pairs = {s.models.contact, s.models.contact};
+      s.models.contact_pairs[1].parameters[0].real = second;
+    };
+  };
+  EXPECT_NE(key, changed(with_pairs(k_stiffness)));
+  EXPECT_NE(changed(with_pairs(2 * k_stiffness)), changed(with_pairs(k_stiffness)));
   FillOptions longer = options_for(scene());
   longer.dt *= 2;
   EXPECT_NE(key, bed_key(scene(), law, longer));

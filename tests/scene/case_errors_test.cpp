@@ -127,7 +127,7 @@ TEST(CaseErrors, ParametersFollowThePluginsTable) {
             "  Did you mean \"friction\"?\n"
             "  Parameters of linear_spring: stiffness, restitution, friction, glide_speed, youngs_modulus, film, "
             "cut_off, relaxation, "
-            "attraction, tangential, terms.");
+            "attraction, tangential, terms, pair.");
   EXPECT_EQ(complaint(example_with("stiffness: 500 N/m, ", "")),
             "spout.yaml:15:12: models.contact: linear_spring needs the parameter stiffness (normal spring).\n"
             "  Add for example stiffness: 10 N/m.");

@@ -80,6 +80,16 @@ TEST_F(Schema, TakesTheExampleAndItsResolvedForm) {
                        .resolved});
 }
 
+std::string example_with_pair(const std::string& pair) {
+  return example_with("restitution: 0.74, friction: 0.2}", "friction: 0.2, pair: " + pair + "}");
+}
+
+TEST_F(Schema, TakesPairsOfMaterialsAndTheirResolvedForm) {
+  const std::string pairs = example_with_pair("{alumina-alumina: {restitution: 0.9}, wall-alumina: {restitution: 0.8, friction: 0}}");
+  const std::string common = example_with("friction: 0.2}", "friction: 0.2, pair: {alumina-alumina: , alumina-wall: {stiffness: 900 N/m}}}");
+  expect("valid", {pairs, testing::read_text_case(pairs).resolved, common, testing::read_text_case(common).resolved});
+}
+
 // Each is refused by the program as well: the two do not drift apart.
 TEST_F(Schema, RefusesWhatTheProgramRefuses) {
   const std::vector<std::string> broken{
@@ -103,6 +113,10 @@ TEST_F(Schema, RefusesWhatTheProgramRefuses) {
       example_with("effects: auto", "effects: some"),
       example_with("  fluid: vans\n", ""),
       k_example + "colour: red\n",
+      example_with_pair("{alumina-alumina: {restitution: 0.9}, alumina-wall: {restitutoin: 0.8}}"),
+      example_with_pair("{alumina-alumina: {restitution: 0.9}, alumina-wall: {restitution: 1.4}}"),
+      example_with_pair("{alumina: {restitution: 0.9}, alumina-wall: {restitution: 0.8}}"),
+      example_with_pair("{alumina-alumina: 0.9, alumina-wall: {restitution: 0.8}}"),
   };
   expect("invalid", broken);
   for (const std::string& text : broken) EXPECT_NE(complaint(text), "") << text;

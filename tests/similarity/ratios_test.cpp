@@ -140,6 +140,21 @@ TEST(SimulatedBed, ScalesEachQuantityByItsOwnRatio) {
   EXPECT_EQ(contact[7].real, 0.25 * 0.375);  // a time
 }
 
+TEST(SimulatedBed, ScalesTheParametersOfEachPairOfMaterials) {
+  const RealScene real = spouted_bed({"models.contact.pair={alumina-alumina: {glide_speed: 2 m/s}, alumina-wall: {stiffness: 800 N/m}}"});
+  similitude_ratios ratios = identity_ratios();
+  ratios.stiffness = 3;
+  ratios.velocity = 0.875;
+  const ModelScene bed = simulated_bed(real, ratios);
+  ASSERT_EQ(bed.models.contact_pairs.size(), 2u);
+  const std::vector<ModelParameter>&grain = bed.models.contact_pairs[0].parameters, &wall = bed.models.contact_pairs[1].parameters;
+  EXPECT_EQ(grain[0].real, 1500);       // stiffness, common
+  EXPECT_EQ(wall[0].real, 2400);        // its own
+  EXPECT_EQ(grain[1].real, 0.74);       // restitution: a pure number
+  EXPECT_EQ(grain[3].real, 1.75);       // a speed, its own
+  EXPECT_EQ(wall[3].real, 0.875);       // the default
+}
+
 TEST(SimulatedBed, LeavesOutWhatWasLeftOut) {
   const ModelScene bed = simulated_bed(spouted_bed(), exact_quarter());
   EXPECT_FALSE(bed.smoothing_length);
