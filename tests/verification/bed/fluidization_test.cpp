@@ -17,7 +17,7 @@ constexpr double k_full_speed = 0.50;  // [m/s], at the end of the ramp
 constexpr double k_ramp = 1.5;         // [s]
 constexpr int k_count = 2400;          // a bed of 58 diameters, so that its looser ends weigh little
 
-std::string bed_case(const std::string& drag) {
+std::string bed_case(const std::string& drag, const std::string& fluid) {
   return fmt::format(R"(
 similitude: 1
 title: a laterally periodic bed under a slow ramp of gas
@@ -33,11 +33,11 @@ scene:
 models:
   drag: {}
   contact: {{id: linear_spring, stiffness: 100 N/m, restitution: 0.74, friction: 0.2}}
-  fluid: vans
+  fluid: {}
   scaling: exact
 time: {{end: 2 s, dt: auto}}
 )",
-                     k_count, k_full_speed, k_ramp, drag);
+                     k_count, k_full_speed, k_ramp, drag, fluid);
 }
 
 /// Pressure at the inlet face above the outlet's: mean of the lowest cells, carried half a cell on with the gradient there.
@@ -92,10 +92,14 @@ double minimum_fluidization_velocity(const DragModel& drag, double gas_fraction)
 
 }  // namespace
 
-class SlowRamp : public testing::TestWithParam<const char*> {};
+struct Ramp {
+  const char* drag;
+  const char* fluid;
+};
+class SlowRamp : public testing::TestWithParam<Ramp> {};
 
 TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
-  const auto bed = small_bed(bed_case(GetParam()));
+  const auto bed = small_bed(bed_case(GetParam().drag, GetParam().fluid));
   ASSERT_GE(bed->filled.height, 40 * k_diameter);
   const double weight = k_count * std::numbers::pi / 6 * k_diameter * k_diameter * k_diameter *
                         (k_density - k_gas_density) * k_gravity / (k_edge * k_edge);   // [Pa]
@@ -137,11 +141,12 @@ TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
   const double expected = minimum_fluidization_velocity(bed->assembly->drag, gas_fraction);
   EXPECT_NEAR(crossing, expected, 0.05 * expected);
   RecordProperty("u_mf", fmt::format("{:.4f}", crossing));
-  std::printf("  %s: u_mf %.4f m/s at eps %.4f; the law's own %.4f; plateau %.1f Pa of %.1f Pa\n", GetParam(), crossing, gas_fraction,
+  std::printf("  %s in %s: u_mf %.4f m/s at eps %.4f; the law's own %.4f; plateau %.1f Pa of %.1f Pa\n", GetParam().drag,
+              GetParam().fluid, crossing, gas_fraction,
               expected, plateau, weight);
 }
 
-INSTANTIATE_TEST_SUITE_P(DragLaws, SlowRamp, testing::Values("syamlal_obrien", "gidaspow"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(DragLaws, SlowRamp, testing::Values(Ramp{"syamlal_obrien", "vans"}, Ramp{"gidaspow", "vans"}, Ramp{"gidaspow", "porous"}),
+                         [](const auto& info) { return fmt::format("{}_{}", info.param.drag, info.param.fluid); });
 
 }  // namespace similitude::test
