@@ -86,7 +86,8 @@ class Plugins(CommandTest):
         known = {(plugin["kind"], plugin["id"]) for plugin in plugins}
         self.assertLessEqual({("drag", "syamlal_obrien"), ("drag", "gidaspow"), ("drag", "schiller_naumann"),
                               ("contact", "linear_spring"), ("contact", "fluent_dem"), ("fluid", "vans"),
-                              ("fluid", "prescribed"), ("scaling", "exact"), ("scaling", "terminal_velocity")}, known)
+                              ("fluid", "prescribed"), ("fluid", "porous"), ("scaling", "exact"),
+                              ("scaling", "terminal_velocity")}, known)
 
     def test_info_gives_parameters_with_units(self):
         done = self.command("plugins", "info", "linear_spring")
