@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/material_pairs.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -143,22 +144,24 @@ bool is_restitution(const ModelParameter& parameter) {
 /// A law may change what a collision loses; the contact model must have a restitution, and it must be able to lose so much.
 void check_energy_loss(const RealScene& real, const similitude_ratios& ratios) {
   if (ratios.energy_loss == 1) return;
-  const ModelChoice &law = real.models.scaling, &contact = real.models.contact;
+  const ModelChoice& law = real.models.scaling;
   bool found = false;
-  for (const ModelParameter& parameter : contact.parameters) {
-    if (!is_restitution(parameter)) continue;
-    found = true;
-    if (!std::isnan(scaled_restitution(parameter.real, ratios.energy_loss))) continue;
-    const double limit = 1 / (1 - parameter.real * parameter.real);
-    throw InputError(law.mark, "models.scaling",
-                     fmt::format("{} wants grains to lose {:.4g} times as much energy per collision, but with {}: {:.4g} nothing "
-                                 "is left beyond {:.4g} times.",
-                                 law.id, ratios.energy_loss, parameter.name, parameter.real, limit),
-                     fmt::format("Choose grains of less than {:.4g} diameters, or leave the restitution as it is.", limit));
+  for (const ModelChoice& contact : contact_sets(real.models)) {
+    for (const ModelParameter& parameter : contact.parameters) {
+      if (!is_restitution(parameter)) continue;
+      found = true;
+      if (!std::isnan(scaled_restitution(parameter.real, ratios.energy_loss))) continue;
+      const double limit = 1 / (1 - parameter.real * parameter.real);
+      throw InputError(law.mark, "models.scaling",
+                       fmt::format("{} wants grains to lose {:.4g} times as much energy per collision, but with {}: {:.4g} nothing "
+                                   "is left beyond {:.4g} times.",
+                                   law.id, ratios.energy_loss, parameter.name, parameter.real, limit),
+                       fmt::format("Choose grains of less than {:.4g} diameters, or leave the restitution as it is.", limit));
+    }
   }
   if (!found)
     throw InputError(law.mark, "models.scaling",
-                     law.id + " wants 1 - e^2 of the restitution e changed, but the contact model " + contact.id +
+                     law.id + " wants 1 - e^2 of the restitution e changed, but the contact model " + real.models.contact.id +
                          " has no restitution.",
                      "Choose a contact model that has one, or parameters of " + law.id + " that leave restitution alone.");
 }

@@ -121,5 +121,61 @@ TEST(VansPlugin, RunsThroughItsTableAndRefusesInWords) {
   plugin.descriptor->destroy(model);
 }
 
+TEST(VansPlugin, AsksForTheDragOfItsModel) {
+  const Plugin plugin(SIMILITUDE_VANS_FILE);
+  ASSERT_NE(plugin.descriptor, nullptr);
+  ASSERT_STREQ(plugin.descriptor->parameters[0].name, "momentum");
+  for (const char* momentum : {"model_a", "model_b", "as_printed"}) {
+    std::vector<similitude_value> values = defaults(*plugin.descriptor);
+    values[0].text = momentum;
+    void* model = plugin.create(values);
+    similitude_fluid_needs needs{};
+    needs.struct_size = sizeof needs;
+    plugin.functions->needs(model, &needs);
+    EXPECT_EQ(needs.drag_over_gas_fraction, std::strcmp(momentum, "model_b") == 0 ? 1 : 0);
+    EXPECT_EQ(needs.any_courant_number, 0);
+    plugin.descriptor->destroy(model);
+  }
+}
+
+TEST(PorousPlugin, RunsThroughItsTableAndRefusesInWords) {
+  const Plugin plugin(SIMILITUDE_POROUS_FILE);
+  ASSERT_NE(plugin.descriptor, nullptr);
+  EXPECT_STREQ(plugin.descriptor->kind, "fluid");
+  EXPECT_STREQ(plugin.descriptor->id, "porous");
+  EXPECT_EQ(plugin.functions->sees_particles, 1);
+  EXPECT_EQ(plugin.functions->largest_stable_step, nullptr);
+  void* model = plugin.create(defaults(*plugin.descriptor));
+  similitude_fluid_needs needs{};
+  needs.struct_size = sizeof needs;
+  plugin.functions->needs(model, &needs);
+  EXPECT_EQ(needs.any_courant_number, 1);
+  EXPECT_EQ(needs.drag_over_gas_fraction, 0);
+  Box box({.cells = {4, 2, 6}, .spacing = {0.01, 0.01, 0.01}});
+  box.set_side(2, 0, box.velocity_patch("inlet", {0, 0, 1}));
+  Fields fields(48);
+  const similitude_gas_step step = fields.row(1e-3);
+  similitude_status status{};
+  plugin.functions->initialise(model, &box.table(), &step, &status);
+  EXPECT_EQ(std::strncmp(status.text, "patch inlet blows into a region without an opening", 50), 0) << status.text;
+
+  box.set_side(2, 1, box.pressure_patch("outlet", 0));
+  status = {};
+  plugin.functions->initialise(model, &box.table(), &step, &status);
+  ASSERT_EQ(status.code, 0) << status.text;
+  similitude_gas_report report{};
+  report.struct_size = sizeof report;
+  plugin.functions->advance(model, &step, &report, &status);   // no particles at all: a potential flow
+  ASSERT_EQ(status.code, 0) << status.text;
+  const double inflow = 1.2 * 1 * 8 * 1e-4;
+  EXPECT_NEAR(report.outflow, inflow, 1e-5 * inflow);
+  EXPECT_NEAR(report.courant, 1 * 1e-3 / 0.01, 1e-6);
+  std::vector<double> state(plugin.functions->state_size(model));
+  EXPECT_EQ(state.size(), 5u * 2 * 6 + 4 * 3 * 6 + 4 * 2 * 7);
+  plugin.functions->save_state(model, state.data());
+  plugin.functions->load_state(model, state.data());
+  plugin.descriptor->destroy(model);
+}
+
 }  // namespace
 }  // namespace similitude

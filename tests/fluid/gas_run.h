@@ -13,9 +13,10 @@ namespace similitude::test {
 
 inline std::size_t u(Index row) { return static_cast<std::size_t>(row); }
 
-class GasRun {
+template <class Solver, class Options>
+class RunOf {
  public:
-  GasRun(const Box& box, const vans::GasOptions& options) : mesh(box.table()), solver(box.table(), options) {
+  RunOf(const Box& box, const Options& options) : mesh(box.table()), solver(box.table(), options) {
     const std::size_t cells = u(mesh.cell_count);
     gas_fraction.assign(cells, 1.0);
     gas_fraction_old.assign(cells, 1.0);
@@ -98,11 +99,13 @@ class GasRun {
   }
 
   Staggered mesh;
-  vans::GasSolver solver;
+  Solver solver;
   std::vector<double> gas_fraction, gas_fraction_old, exchange, exchange_velocity, remainder;
   std::vector<double> velocity, pressure, stress_force;
   similitude_gas_report report{};
   double time = 0;
 };
+
+using GasRun = RunOf<vans::GasSolver, vans::GasOptions>;
 
 }  // namespace similitude::test

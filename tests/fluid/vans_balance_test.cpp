@@ -78,7 +78,8 @@ TEST_P(VansMomentum, ChangesInAPeriodicBoxByExactlyWhatParticlesGiveAndTake) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, VansMomentum, testing::Values(vans::Momentum::model_a, vans::Momentum::model_b));
+INSTANTIATE_TEST_SUITE_P(Models, VansMomentum, testing::Values(vans::Momentum::model_a, vans::Momentum::model_b),
+                         [](const auto& info) { return info.param == vans::Momentum::model_a ? "model_a" : "model_b"; });
 
 TEST(VansMass, IsBalancedInEveryCellToTheToleranceWhileTheBedMoves) {
   Box box({.cells = {12, 3, 20}, .spacing = {0.005, 0.005, 0.005}});

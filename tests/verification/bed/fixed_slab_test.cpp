@@ -124,33 +124,43 @@ TEST_P(FixedSlab, HasTheClosedFormPressureDropOfItsDragLaw) {
   EXPECT_NEAR(pressure_gradient(*bed), expected, 0.01 * expected);
 }
 
+/// "gidaspow_pitch_150"
+std::string name_of(const testing::TestParamInfo<SlabCase>& info) {
+  return fmt::format("{}_pitch_{}", info.param.drag, static_cast<int>(100 * info.param.pitch_over_diameter));
+}
+
 INSTANTIATE_TEST_SUITE_P(DragLaws, FixedSlab,
                          testing::Values(SlabCase{"syamlal_obrien", 1.0}, SlabCase{"syamlal_obrien", 1.15},
                                          SlabCase{"syamlal_obrien", 1.5}, SlabCase{"gidaspow", 1.0}, SlabCase{"gidaspow", 1.15},
                                          SlabCase{"gidaspow", 1.5}, SlabCase{"schiller_naumann", 1.0},
                                          SlabCase{"schiller_naumann", 1.15}, SlabCase{"schiller_naumann", 1.5}),
-                         [](const auto& info) {
-                           return fmt::format("{}_pitch_{}", info.param.drag,
-                                              static_cast<int>(100 * info.param.pitch_over_diameter));
-                         });
+                         name_of);
 
 // Model B carries the same load through the same slab: beta/eps in the drag, 1 instead of eps before the gradient.
 INSTANTIATE_TEST_SUITE_P(ModelB, FixedSlab,
                          testing::Values(SlabCase{"gidaspow", 1.0, "{id: vans, momentum: model_b}"},
                                          SlabCase{"gidaspow", 1.5, "{id: vans, momentum: model_b}"},
-                                         SlabCase{"syamlal_obrien", 1.15, "{id: vans, momentum: model_b}"}));
+                                         SlabCase{"syamlal_obrien", 1.15, "{id: vans, momentum: model_b}"}),
+                         name_of);
+
+// Without inertia the same load: nothing else acts in a uniform bed.
+INSTANTIATE_TEST_SUITE_P(Porous, FixedSlab,
+                         testing::Values(SlabCase{"gidaspow", 1.0, "porous"}, SlabCase{"gidaspow", 1.5, "porous"},
+                                         SlabCase{"syamlal_obrien", 1.15, "porous"}),
+                         name_of);
 
 // The velocity at which the paper's alumina, packed at a gas fraction of 0.4328, is just weightless under Ergun's drag.
 // physics.md D2.11 and B4: 0.3600 m/s with the pressure gradient on the particles, 0.6530 m/s as printed, without.
 struct Weightless {
-  const char* momentum;
+  const char* name;
+  const char* fluid;
   double velocity;   // [m/s]
 };
 class MinimumFluidization : public testing::TestWithParam<Weightless> {};
 
 TEST_P(MinimumFluidization, OfAUniformBedIsWhereItsNetForceVanishes) {
   const double pitch = k_diameter * std::cbrt(std::numbers::pi / 6 / (1 - 0.4328));
-  const std::string fluid = fmt::format("{{id: vans, momentum: {}}}", GetParam().momentum);
+  const std::string fluid = GetParam().fluid;
   const auto lift_at = [&](double velocity) { return net_lift(*steady_slab(pitch, velocity, "gidaspow", fluid), pitch); };
   double before = 0.3, now = 0.7;
   double lift_before = lift_at(before), lift = lift_at(now);
@@ -162,12 +172,14 @@ TEST_P(MinimumFluidization, OfAUniformBedIsWhereItsNetForceVanishes) {
     lift = lift_at(now);
   }
   EXPECT_NEAR(now, GetParam().velocity, 0.01 * GetParam().velocity);
-  std::printf("  %s: weightless at %.4f m/s\n", GetParam().momentum, now);
+  std::printf("  %s: weightless at %.4f m/s\n", GetParam().name, now);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, MinimumFluidization,
-                         testing::Values(Weightless{"model_a", 0.3600}, Weightless{"model_b", 0.3600},
-                                         Weightless{"as_printed", 0.6530}),
-                         [](const auto& info) { return std::string(info.param.momentum); });
+                         testing::Values(Weightless{"model_a", "vans", 0.3600},
+                                         Weightless{"model_b", "{id: vans, momentum: model_b}", 0.3600},
+                                         Weightless{"as_printed", "{id: vans, momentum: as_printed}", 0.6530},
+                                         Weightless{"porous", "porous", 0.3600}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace similitude::test

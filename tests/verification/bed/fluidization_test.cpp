@@ -5,79 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "drag_probe.h"
-#include "small_bed.h"
+#include "ramp_bed.h"
 
 namespace similitude::test {
 namespace {
-
-constexpr double k_diameter = 1e-3, k_density = 1040, k_gas_density = 1.225, k_gas_viscosity = 1.79e-5, k_gravity = 9.81;
-constexpr double k_edge = 6e-3;        // [m], laterally periodic
-constexpr double k_full_speed = 0.50;  // [m/s], at the end of the ramp
-constexpr double k_ramp = 1.5;         // [s]
-constexpr int k_count = 2400;          // a bed of 58 diameters, so that its looser ends weigh little
-
-std::string bed_case(const std::string& drag) {
-  return fmt::format(R"(
-similitude: 1
-title: a laterally periodic bed under a slow ramp of gas
-scene:
-  domain:    {{size: [6 mm, 6 mm, 120 mm], cell: 2 mm}}
-  periodic:  [x, y]
-  gas:       {{density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}}
-  particles: {{alumina: {{diameter: 1 mm, density: 1040 kg/m^3, count: {}}}}}
-  bed:       {{fill: settle, cache: false}}
-  patches:
-    inlet:  {{face: bottom, velocity: {} m/s, ramp: {} s}}
-    outlet: {{face: top, pressure: 0 Pa}}
-models:
-  drag: {}
-  contact: {{id: linear_spring, stiffness: 100 N/m, restitution: 0.74, friction: 0.2}}
-  fluid: vans
-  scaling: exact
-time: {{end: 2 s, dt: auto}}
-)",
-                     k_count, k_full_speed, k_ramp, drag);
-}
-
-/// Pressure at the inlet face above the outlet's: mean of the lowest cells, carried half a cell on with the gradient there.
-double pressure_drop(const SmallBed& bed) {
-  const Grid& grid = *bed.assembly->grid;
-  const auto& pressure = bed.simulation->gas().pressure;
-  double lowest = 0, second = 0;
-  const int nx = grid.cells(0), ny = grid.cells(1);
-  for (int j = 0; j < ny; ++j) {
-    for (int i = 0; i < nx; ++i) {
-      lowest += pressure[grid.cell(i, j, 0)] / (nx * ny);
-      second += pressure[grid.cell(i, j, 1)] / (nx * ny);
-    }
-  }
-  return lowest + (lowest - second) / 2;
-}
-
-/// Volume mean of the gas fraction between 10 and 90 % of the bed's height.
-double mean_gas_fraction(const SmallBed& bed, double height) {
-  const Grid& grid = *bed.assembly->grid;
-  const auto& fraction = bed.simulation->exchange().gas_fraction;
-  double sum = 0, volume = 0;
-  for (int k = 0; k < grid.cells(2); ++k) {
-    const double low = std::max(k * grid.spacing(2), 0.1 * height), high = std::min((k + 1) * grid.spacing(2), 0.9 * height);
-    if (high <= low) continue;
-    for (int j = 0; j < grid.cells(1); ++j) {
-      for (int i = 0; i < grid.cells(0); ++i) {
-        sum += (high - low) * fraction[grid.cell(i, j, k)];
-        volume += high - low;
-      }
-    }
-  }
-  return sum / volume;
-}
-
-/// beta/phi [kg/(m^3 s)] of the law under test.
-double exchange_per_volume(const DragModel& drag, double gas_fraction, double slip_speed) {
-  return exchange_coefficient(drag, k_diameter, k_gas_density, k_gas_viscosity, gas_fraction, slip_speed) /
-         (std::numbers::pi / 6 * k_diameter * k_diameter * k_diameter);
-}
 
 /// The drag law's own u_mf [m/s]: (beta/phi) phi U / eps^2 = phi (rho_p - rho_f) g (physics.md B4), by bisection.
 double minimum_fluidization_velocity(const DragModel& drag, double gas_fraction) {
@@ -92,13 +23,13 @@ double minimum_fluidization_velocity(const DragModel& drag, double gas_fraction)
 
 }  // namespace
 
-class SlowRamp : public testing::TestWithParam<const char*> {};
+class SlowRamp : public testing::TestWithParam<RampCase> {};
 
 TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
-  const auto bed = small_bed(bed_case(GetParam()));
+  const RampCase& ramp = GetParam();
+  const auto bed = small_bed(bed_case(ramp));
   ASSERT_GE(bed->filled.height, 40 * k_diameter);
-  const double weight = k_count * std::numbers::pi / 6 * k_diameter * k_diameter * k_diameter *
-                        (k_density - k_gas_density) * k_gravity / (k_edge * k_edge);   // [Pa]
+  const double weight = ramp.weight();
 
   // Fixed bed: dp = a U + b U^2 by least squares over the lower part of the ramp, where nothing moves yet.
   double uu = 0, uuu = 0, uuuu = 0, pu = 0, puu = 0;
@@ -106,9 +37,9 @@ TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
   int fixed_samples = 0;
   double plateau = 0;
   int plateau_samples = 0;
-  while (bed->simulation->time() < k_ramp) {
+  while (bed->simulation->time() < ramp.ramp) {
     bed->simulation->step();
-    const double velocity = k_full_speed * std::min(bed->simulation->time() / k_ramp, 1.0);
+    const double velocity = ramp.velocity(bed->simulation->time());
     const double drop = pressure_drop(*bed);
     if (drop > 0.1 * weight && drop < 0.7 * weight && plateau_samples == 0) {
       const double u = velocity;
@@ -137,11 +68,12 @@ TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
   const double expected = minimum_fluidization_velocity(bed->assembly->drag, gas_fraction);
   EXPECT_NEAR(crossing, expected, 0.05 * expected);
   RecordProperty("u_mf", fmt::format("{:.4f}", crossing));
-  std::printf("  %s: u_mf %.4f m/s at eps %.4f; the law's own %.4f; plateau %.1f Pa of %.1f Pa\n", GetParam(), crossing, gas_fraction,
+  std::printf("  %s in %s: u_mf %.4f m/s at eps %.4f; the law's own %.4f; plateau %.1f Pa of %.1f Pa\n", ramp.drag.c_str(),
+              ramp.fluid.c_str(), crossing, gas_fraction,
               expected, plateau, weight);
 }
 
-INSTANTIATE_TEST_SUITE_P(DragLaws, SlowRamp, testing::Values("syamlal_obrien", "gidaspow"),
-                         [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(DragLaws, SlowRamp, testing::Values(RampCase{"syamlal_obrien", "vans"}, RampCase{"gidaspow", "vans"}, RampCase{"gidaspow", "porous"}),
+                         [](const auto& info) { return fmt::format("{}_{}", info.param.drag, info.param.fluid); });
 
 }  // namespace similitude::test

@@ -81,7 +81,8 @@ TEST_P(AdvectedStep, MakesNoNewExtremes) {
   EXPECT_NEAR(amount, 0.25, 1e-9);   // and none is lost
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, AdvectedStep, testing::Values(Advection::tvd, Advection::upwind));
+INSTANTIATE_TEST_SUITE_P(Schemes, AdvectedStep, testing::Values(Advection::tvd, Advection::upwind),
+                         [](const auto& info) { return info.param == Advection::tvd ? "tvd" : "upwind"; });
 
 }  // namespace
 }  // namespace similitude

@@ -16,7 +16,7 @@
 ///   void save_state(double*) const;  void load_state(const double*);   [main]
 ///
 /// Solvers may link libsimilitude for index arithmetic on the grid (fluid/staggered.h) and for the pressure equation
-/// (fluid/multigrid_cg.h).
+/// (fluid/multigrid_cg.h), or derive from what solvers with velocities on faces share (fluid/face_flow.h).
 
 #include <limits>
 
