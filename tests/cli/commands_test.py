@@ -71,7 +71,8 @@ class Check(CommandTest):
         self.assertNotIn("tangential", names)
 
     def test_shipped_cases_are_right(self):
-        for case in ("quickstart.yaml", "spouted_bed/exact.yaml", "spouted_bed/terminal_velocity.yaml"):
+        for case in ("quickstart.yaml", "spouted_bed/exact.yaml", "spouted_bed/terminal_velocity.yaml",
+                     "hard_sphere_limit/hard_sphere_limit.yaml"):
             done = self.command("check", os.path.join(SOURCE, "configs", case))
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("predicted", done.stdout)
