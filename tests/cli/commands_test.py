@@ -2,8 +2,10 @@
 import csv
 import json
 import os
+import pathlib
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
@@ -112,6 +114,17 @@ class Schema(CommandTest):
         done = self.command("schema")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("syamlal_obrien", json.dumps(json.loads(done.stdout)))
+
+    def test_takes_every_shipped_case(self):
+        schema = self.write(self.command("schema").stdout, "schema.json")
+        cases = []
+        for path in pathlib.Path(SOURCE, "configs").rglob("*.yaml"):
+            if "\nsimilitude: " in path.read_text(encoding="utf-8"):   # else a study, or data of another kind
+                cases.append(str(path))
+        self.assertGreaterEqual(len(cases), 4)
+        done = subprocess.run([sys.executable, os.path.join(SOURCE, "tests", "scene", "validate_cases.py"), schema, *cases],
+                              capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.splitlines(), ["valid " + case for case in cases])
 
 
 if __name__ == "__main__":
