@@ -146,6 +146,12 @@ TimeSteps choose_time_steps(const Assembly& assembly) {
     check_against_limits(steps.dt, StepKind::particles, time.dt_mark, "time.dt", assembly, steps);
   } else {
     TimeStepLimit* binding = binding_limit(steps.limits, StepKind::particles);
+    const auto unknown = [](const TimeStepLimit& limit) { return !std::isfinite(limit.advised); };
+    if (std::any_of(steps.limits.begin(), steps.limits.end(), unknown)) {
+      throw InputError(time.mark, "time.dt",
+                       "contact times of this law depend on the impact speed, and without gravity none is known",
+                       "Give time.dt, e.g. time.dt: 1e-7 s.");
+    }
     binding->binding = true;
     steps.dt = binding->advised;
     if (time.gas_dt) steps.dt = std::min(steps.dt, *time.gas_dt);

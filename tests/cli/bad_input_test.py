@@ -45,6 +45,12 @@ class BadInput(CommandTest):
     def test_time_step_beyond_the_hard_limit_says_what_fits(self):
         self.refuse("dt: auto", "dt: 1 ms", 2, "case.yaml:", "time.dt", "beyond the hard limit", "auto")
 
+    def test_contact_times_without_an_impact_speed(self):
+        case = SMALL.replace("  bed:       {fill: lattice}", "  bed:       {fill: lattice}\n  gravity:   0 m/s^2")
+        case = case.replace("linear_spring, stiffness: 100 N/m,", "hertz_mindlin, youngs_modulus: 1 MPa, poisson_ratio: 0.25,")
+        self.assert_refused(self.run_case(case), 2, "time.dt: contact times of this law depend on the impact speed",
+                            "Give time.dt, e.g. time.dt: 1e-7 s.")
+
     def test_unknown_model_names_the_nearest(self):
         self.refuse("drag: gidaspow", "drag: gidaspo", 3, "gidaspo", "Did you mean", "gidaspow")
 

@@ -2,12 +2,21 @@
 import csv
 import json
 import os
+import pathlib
+import re
 import signal
 import subprocess
+import sys
 import time
 import unittest
 
 from command import SIMILITUDE, SMALL, SOURCE, CommandTest
+
+
+def shipped_cases():
+    """Paths of configs/**/*.yaml but for studies and data of another kind."""
+    paths = sorted(pathlib.Path(SOURCE, "configs").rglob("*.yaml"))
+    return [str(path) for path in paths if re.search("^similitude: ", path.read_text(encoding="utf-8"), re.MULTILINE)]
 
 
 class Run(CommandTest):
@@ -79,10 +88,13 @@ class Check(CommandTest):
         self.assertEqual(page["contact_pairs"], {"alumina-alumina": {"friction": "0.2"}, "alumina-wall": {"friction": "0.3"}})
 
     def test_shipped_cases_are_right(self):
-        for case in ("quickstart.yaml", "binary_bed.yaml", "spouted_bed/exact.yaml", "spouted_bed/terminal_velocity.yaml"):
-            done = self.command("check", os.path.join(SOURCE, "configs", case))
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("predicted", done.stdout)
+        cases = shipped_cases()
+        self.assertGreaterEqual(len(cases), 4)
+        for case in cases:
+            with self.subTest(case=case):
+                done = self.command("check", case)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("predicted", done.stdout)
 
 
 class Plugins(CommandTest):
@@ -123,6 +135,13 @@ class Schema(CommandTest):
         done = self.command("schema")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("syamlal_obrien", json.dumps(json.loads(done.stdout)))
+
+    def test_takes_every_shipped_case(self):
+        schema = self.write(self.command("schema").stdout, "schema.json")
+        cases = shipped_cases()
+        done = subprocess.run([sys.executable, os.path.join(SOURCE, "tests", "scene", "validate_cases.py"), schema, *cases],
+                              capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.splitlines(), ["valid " + case for case in cases])
 
 
 if __name__ == "__main__":

@@ -55,23 +55,6 @@ class Schema : public ::testing::Test {
   }
 };
 
-TEST_F(Schema, TakesEveryShippedCase) {
-  const CaseFolder folder;
-  std::vector<std::filesystem::path> cases;
-  std::string wanted;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(SIMILITUDE_CONFIGS)) {
-    if (entry.path().extension() != ".yaml") continue;
-    std::ifstream stream(entry.path());
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (text.str().find("\nsimilitude: ") == std::string::npos) continue;  // a study, or data of another kind
-    cases.push_back(entry.path());
-    wanted += "valid " + entry.path().string() + "\n";
-  }
-  ASSERT_GE(cases.size(), 3u);
-  EXPECT_EQ(verdicts(folder, cases), wanted);
-}
-
 TEST_F(Schema, TakesTheExampleAndItsResolvedForm) {
   expect("valid", {k_example, testing::read_text_case(k_example).resolved,
                    testing::read_text_case(

@@ -10,7 +10,10 @@
 /// the same zeta, at the same velocities: dy/d(tau) = d(delta)/dt. So restitution.h holds word for word, whatever the speed: zeta
 /// follows from the restitution as for a linear spring, with attraction at the end of the contact or without.
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <similitude/contact.h>
 #include <similitude/parameters.h>

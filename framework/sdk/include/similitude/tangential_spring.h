@@ -1,6 +1,8 @@
 #pragma once
 /// Friction with a tangential spring and dashpot across a contact, limited by Coulomb: one step, for any normal law.
 
+#include <cmath>
+
 #include <similitude/contact.h>
 #include <similitude/restitution.h>
 
