@@ -126,9 +126,10 @@ double hardness(const AuditedBed& bed) {
 
 // -------------------------------------------------------------------------------------------------------- warnings
 
-constexpr double k_bridging = 8;          // diameters; silos jam for good below five
-constexpr double k_jamming = 5;
-constexpr double k_shallow = 5;           // diameters between front and back
+constexpr double k_rounding = 1e-9;       // a count that was meant to lie on a threshold does not lie below it
+constexpr double k_bridging = 8 * (1 - k_rounding);   // diameters; silos jam for good below five
+constexpr double k_jamming = 5 * (1 - k_rounding);
+constexpr double k_shallow = 5 * (1 - k_rounding);    // diameters between front and back
 constexpr double k_strong_jet = 1.5;      // times the real jet's momentum over bed weight
 constexpr double k_noticeable = 0.02;     // of u0/u_mf and u0/u_t: what drag laws differ by among themselves is more
 constexpr double k_other_hardness = 2;    // times harder or softer

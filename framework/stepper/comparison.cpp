@@ -206,9 +206,9 @@ std::vector<Knob> knobs(const Catalogue& catalogue, double gas_fraction) {
 }
 
 /// What reading the case says of a value that came from --law.
-std::string as_asked(const std::string& message) {
+std::string as_asked(const std::string& id, const std::string& message) {
   const std::string set = "--set: models.scaling";
-  return message.starts_with(set) ? "--law" + message.substr(set.size()) : message;
+  return message.starts_with(set) ? "--law " + id + message.substr(set.size()) : message;
 }
 
 Strategy refused(const LawChoice& law, const std::string& why) {
@@ -287,7 +287,7 @@ Comparison compare_laws(const CaseAsTyped& typed, const std::vector<LawChoice>& 
     try {
       comparison.strategies.push_back(audited_strategy(typed, law, comparison));
     } catch (const InputError& error) {
-      if (law.because == k_asked_for) throw InputError(as_asked(error.what()));
+      if (law.because == k_asked_for) throw InputError(as_asked(law.id, error.what()));
       comparison.strategies.push_back(refused(law, error.what()));
     }
   }
