@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action, const std::string& command_line);
 void add_check(CLI::App& app, Action& action);
+void add_scale(CLI::App& app, Action& action);
 void add_plugins(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 

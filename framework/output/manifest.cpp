@@ -30,6 +30,32 @@ json ratios_json(const similitude_ratios& s) {
           {"parcel_weight", s.parcel_weight}};
 }
 
+/// What the values of each file were divided by, in terms of the ratios beside.
+json divided_by_json() {
+  return {{"particles: points, diameter [m]", "length"},
+          {"particles: material_diameter [m]", "diameter"},
+          {"particles: velocity, speed [m/s]", "velocity"},
+          {"particles: angular_velocity [rad/s]", "angular_velocity"},
+          {"fluid: origin, spacing", "length"},
+          {"fluid: gas_velocity, gas_speed [m/s]", "velocity"},
+          {"fluid: pressure [Pa]", "pressure"},
+          {"monitors: time [s]", "time"},
+          {"monitors: bed_height, mean_height [m]", "length"},
+          {"monitors: largest_speed [m/s]", "velocity"},
+          {"monitors: solids_mass [kg]", "mass"},
+          {"monitors: solids_momentum [kg m/s]", "mass velocity"},
+          {"monitors: kinetic_energy [J]", "mass velocity^2"},
+          {"monitors: rotational_energy [J]", "mass (diameter angular_velocity)^2"},
+          {"monitors: gas_mass [kg]", "gas_density length^3"},
+          {"monitors: gas_momentum [kg m/s]", "gas_density length^3 velocity"},
+          {"monitors: inflow, outflow [kg/s]", "gas_density length^2 velocity"},
+          {"monitors: pressure_drop [Pa]", "pressure"},
+          {"profiles: x, y, z [m]", "length"},
+          {"profiles: vertical_velocity [m/s]", "velocity"},
+          {"timing: simulated_s", "time"},
+          {"counts, fractions, ratios [1], [% of d]", "1"}};
+}
+
 json map_back_json(const MapBack& map) {
   return {{"length", map.ratios.length},
           {"diameter", map.ratios.diameter},
@@ -41,6 +67,7 @@ json map_back_json(const MapBack& map) {
           {"mass", map.ratios.mass},
           {"gas_density", map.gas_density},
           {"jet_ratio", map.jet_ratio},
+          {"divided_by", divided_by_json()},
           {"note", map_back_note(map)}};
 }
 

@@ -36,7 +36,7 @@ double minimum_fluidisation_wen_yu(const SphereInGas& s) {
   return re * s.gas_viscosity / (s.gas_density * s.diameter);
 }
 
-Groups groups(const similitude_bed& bed) {
+Groups groups(const similitude_bed& bed, double gas_fraction_at_minimum) {
   const SphereInGas sphere = sphere_in_gas(bed);
   const double u0 = bed.superficial_velocity, length = bed.bed_width;
   const double buoyant_density = bed.particle_density - bed.gas_density;
@@ -50,8 +50,9 @@ Groups groups(const similitude_bed& bed) {
   g.length_ratio = length / bed.particle_diameter;
   g.jet = bed.gas_density * (bed.largest_inlet_velocity * bed.largest_inlet_velocity) /
           (buoyant_density * bed.gravity * length);
-  g.over_minimum = u0 / minimum_fluidisation_ergun(sphere, k_gas_fraction_at_minimum);
+  g.over_minimum = u0 / minimum_fluidisation_ergun(sphere, gas_fraction_at_minimum);
   g.over_terminal = u0 / terminal_velocity(sphere, schiller_naumann);
+  g.over_terminal_newton = u0 / terminal_velocity_newton(sphere);
   return g;
 }
 

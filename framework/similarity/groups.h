@@ -31,11 +31,12 @@ struct Groups {
   double buoyant_density_ratio = 0; // (rho_p - rho_f) / rho_f
   double length_ratio = 0;          // L / d, of what touches
   double jet = 0;                   // rho_f u_jet^2 / ((rho_p - rho_f) g L): jet momentum over bed weight, per solids fraction
-  double over_minimum = 0;          // u0 / u_mf, Ergun at k_gas_fraction_at_minimum
+  double over_minimum = 0;          // u0 / u_mf, Ergun
   double over_terminal = 0;         // u0 / u_t, Schiller-Naumann
+  double over_terminal_newton = 0;  // u0 / u_t, C_D = 4/9
 };
 
 /// Of a bed with particles and gravity; groups with u0 are 0 if nothing is blown in at the bottom.
-Groups groups(const similitude_bed& bed);
+Groups groups(const similitude_bed& bed, double gas_fraction_at_minimum = k_gas_fraction_at_minimum);
 
 }  // namespace similitude

@@ -1,5 +1,6 @@
 """What each subcommand prints and writes."""
 import csv
+import glob
 import json
 import os
 import pathlib
@@ -95,6 +96,81 @@ class Check(CommandTest):
                 done = self.command("check", case)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertIn("predicted", done.stdout)
+
+
+class ShippedBeds(CommandTest):
+    def test_cases_of_one_bed_differ_in_models_scaling_alone(self):
+        for folder in ("spouted_bed", "spouted_bed_glass", "small_bed"):
+            beds = set()
+            laws = set()
+            for name in ("exact", "parcel", "link", "glicksman", "terminal_velocity"):
+                with open(os.path.join(SOURCE, "configs", folder, name + ".yaml"), encoding="utf-8") as file:
+                    lines = file.read().split("similitude: 1\n", 1)[1].splitlines()
+                scaling = [line for line in lines if line.startswith("  scaling:")]
+                self.assertEqual(len(scaling), 1)
+                self.assertIn(name, scaling[0])
+                laws.add(scaling[0])
+                beds.add("\n".join(line for line in lines if line != scaling[0]))
+            self.assertEqual(len(beds), 1, folder)
+            self.assertEqual(len(laws), 5)
+
+    def test_no_case_of_the_small_bed_is_too_shallow_or_narrow(self):
+        for case in glob.glob(os.path.join(SOURCE, "configs", "small_bed", "*.yaml")):
+            own = json.loads(self.command("scale", case, "--json").stdout)["strategies"][0]
+            self.assertGreaterEqual(own["groups"]["depth/d"]["scaled"], 5, case)
+            self.assertGreaterEqual(own["groups"]["gap/d"]["scaled"], 7, case)
+
+
+class Scale(CommandTest):
+    def strategies(self, *arguments):
+        done = self.command("scale", os.path.join(SOURCE, "configs", "spouted_bed", "terminal_velocity.yaml"), "--json", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)["strategies"]
+
+    def test_json_has_the_promised_keys(self):
+        strategies = self.strategies()
+        self.assertEqual(strategies[0]["id"], "terminal_velocity")   # the case's own law first
+        self.assertLessEqual({"exact", "parcel", "link", "glicksman", "glicksman_full", "similarity", "coarse_grain", "bierwisch"},
+                             {strategy["id"] for strategy in strategies})
+        for strategy in strategies:
+            self.assertLessEqual({"id", "factors", "groups", "particles", "cost", "warnings"}, set(strategy))
+            self.assertEqual(set(strategy["cost"]), {"particle_steps", "wall_s"})
+            self.assertLessEqual({"Re", "Ar", "Fr", "u0/u_mf", "u0/u_t", "St", "J", "L/d"}, set(strategy["groups"]))
+            self.assertEqual(set(strategy["groups"]["Re"]), {"exact", "scaled", "ratio", "kept"})
+
+    def test_says_what_the_terminal_velocity_law_keeps_and_loses(self):
+        own = self.strategies()[0]
+        self.assertEqual(own["particles"], 20308)
+        kept = {name for name, group in own["groups"].items() if group["kept"]}
+        self.assertLessEqual({"Fr", "Re", "Ar", "u0/u_mf", "u0/u_t", "u0/u_mf (drag law)", "u0/u_t (drag law)"}, kept)
+        self.assertFalse({"St", "rho_p/rho_f", "L/d", "J"} & kept)
+        self.assertTrue(any("jet" in warning for warning in own["warnings"]))
+        self.assertTrue(any("inlet" in warning for warning in own["warnings"]))
+
+    def test_takes_laws_by_hand(self):
+        strategies = self.strategies("--law", "link:n=2", "--law", "similarity:geometry=0.5,n=1")
+        self.assertEqual([strategy["id"] for strategy in strategies], ["link", "similarity"])
+        self.assertAlmostEqual(strategies[0]["factors"]["gas_viscosity"], 2)
+
+    def test_proposes_laws_for_a_speed_up(self):
+        reached = [strategy for strategy in self.strategies("--speedup", "20") if "error" not in strategy]
+        self.assertLessEqual({"link", "similarity", "terminal_velocity", "parcel"}, {strategy["id"] for strategy in reached})
+        for strategy in reached:
+            self.assertAlmostEqual(strategy["speedup"] / 20, 1, delta=0.01)
+
+    def test_writes_markdown(self):
+        done = self.command("scale", self.write(SMALL), "--markdown")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("| u0/u_t |", done.stdout)
+
+    def test_refuses_what_cannot_be(self):
+        case = self.write(SMALL)
+        for law, words in (("link", "link needs the parameter n"), ("link:n=0.5", "0.5 is out of range"),
+                           ("link:n", "not of the form parameter=value"),
+                           ("parcel:n=3,restitution_correction=true", "nothing is left beyond 2.21 times")):
+            self.assert_refused(self.command("scale", case, "--law", law), 2, words)
+        self.assert_refused(self.command("scale", case, "--speedup", "0.5"), 2, "the real bed itself is that fast")
+        self.assert_refused(self.command("scale", case, "--law", "nothing:n=2"), 3, "there is no scaling model")
 
 
 class Plugins(CommandTest):

@@ -77,6 +77,7 @@ TEST(ManifestFile, HoldsTheRatiosOfTheLawAndOfTheMapBack) {
   EXPECT_EQ(m["scaling"]["ratios"]["length"], 0.25);
   EXPECT_EQ(m["map_back"]["velocity"], 0.5);
   EXPECT_EQ(m["map_back"]["jet_ratio"], 2);
+  EXPECT_EQ(m["map_back"]["divided_by"]["monitors: inflow, outflow [kg/s]"], "gas_density length^2 velocity");
 }
 
 TEST(ManifestFile, HoldsTheResolvedCaseFileAsItIs) {
