@@ -64,7 +64,7 @@ def range_of(row):
 def meaning_of(row):
     words = row["doc"]
     if row["scales_as"]:
-        words += f" Scales as a {row['scales_as']}." if row["scales_as"][0] not in "aeiou" else f" Scales as an {row['scales_as']}."
+        words += f" Scales as a {row['scales_as']}."
     if row["reference"]:
         words += f" ({row['reference']})"
     return words.replace("|", "\\|")

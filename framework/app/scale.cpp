@@ -38,10 +38,16 @@ constexpr Factor k_factors[] = {{"length", "length", &similitude_ratios::length}
 
 // ------------------------------------------------------------------------------------------------------------ JSON
 
+/// A law without a bed for this case keeps its row, empty, and says why among its warnings.
 nlohmann::json as_json(const Strategy& strategy) {
-  nlohmann::json page{{"id", strategy.law.id}, {"parameters", strategy.law.parameters}, {"because", strategy.law.because}};
+  nlohmann::json page{{"id", strategy.law.id},
+                      {"factors", nlohmann::json::object()},
+                      {"groups", nlohmann::json::object()},
+                      {"particles", nullptr},
+                      {"cost", {{"particle_steps", nullptr}, {"wall_s", nullptr}}},
+                      {"warnings", strategy.warnings}};
   if (!strategy.error.empty()) {
-    page["error"] = strategy.error;
+    page["warnings"].push_back(strategy.error);
     return page;
   }
   for (const Factor& factor : k_factors) page["factors"][factor.name] = strategy.factors.*factor.value;
@@ -49,14 +55,11 @@ nlohmann::json as_json(const Strategy& strategy) {
     page["groups"][group.name] = {{"exact", group.exact}, {"scaled", group.scaled}, {"ratio", group.ratio}, {"kept", group.kept}};
   page["particles"] = strategy.particles;
   page["cost"] = {{"particle_steps", strategy.particle_steps}, {"wall_s", strategy.wall_s}};
-  page["speedup"] = strategy.speedup;
-  page["warnings"] = strategy.warnings;
   return page;
 }
 
 nlohmann::json as_json(const Comparison& comparison) {
-  nlohmann::json page{{"strategies", nlohmann::json::array()},
-                      {"gas_fraction_at_minimum_fluidization", comparison.gas_fraction_at_minimum}};
+  nlohmann::json page{{"strategies", nlohmann::json::array()}};
   for (const Strategy& strategy : comparison.strategies) page["strategies"].push_back(as_json(strategy));
   return page;
 }

@@ -14,6 +14,8 @@
 namespace similitude {
 namespace {
 
+constexpr double k_same_volume = 1e-6;   // of the volume: ratios that were written by hand agree so far
+
 double cube(double x) { return x * x * x; }
 
 double sphere_volume(double diameter) { return std::numbers::pi / 6 * cube(diameter); }
@@ -162,8 +164,9 @@ void check_energy_loss(const RealScene& real, const similitude_ratios& ratios) {
   if (!found)
     throw InputError(law.mark, "models.scaling",
                      law.id + " wants 1 - e^2 of the restitution e changed, but the contact model " + real.models.contact.id +
-                         " has no restitution.",
-                     "Choose a contact model that has one, or parameters of " + law.id + " that leave restitution alone.");
+                         " declares none.",
+                     "Choose a contact model that scales a parameter as_restitution, or parameters of " + law.id +
+                         " that leave restitution alone.");
 }
 
 void scale_model(ModelChoice& model, const similitude_ratios& ratios,
@@ -243,6 +246,11 @@ similitude_ratios identity_ratios() {
 
 std::vector<std::string> scaling_warnings(const RealScene& real, const similitude_ratios& ratios) {
   std::vector<std::string> warnings;
+  const double seen = ratios.parcel_weight * cube(ratios.drag_diameter / ratios.diameter);
+  if (std::abs(seen - 1) > k_same_volume)
+    warnings.push_back(fmt::format("models.scaling: with {} the gas sees {:.4g} times the volume of particles that moves (parcel_weight "
+                                   "drag_diameter^3 / diameter^3).",
+                                   real.models.scaling.id, seen));
   if (ratios.energy_loss == 1) return warnings;
   for (const ModelParameter& parameter : real.models.contact.parameters) {
     if (!is_restitution(parameter)) continue;

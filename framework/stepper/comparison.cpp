@@ -146,6 +146,9 @@ Comparison started(const CaseAsTyped& typed) {
   if (scene.particles.empty() || !(describe(scene).gravity > 0))
     throw InputError("this case has no particles under gravity: there is nothing that a scaling law could compare.",
                      "Give scene.particles, or remove scene.gravity.");
+  if (!(describe(scene).particle_count > 0))
+    throw InputError("this case does not say how many particles it has, so that no cost can be compared.",
+                     "Give the particles a count and bed: {fill: settle}.");
   Comparison comparison;
   comparison.title = scene.title;
   comparison.gas_fraction_at_minimum = gas_fraction_at_minimum(scene);
@@ -312,6 +315,8 @@ Comparison propose(const CaseAsTyped& typed, double speedup) {
   std::stable_sort(comparison.strategies.begin(), comparison.strategies.end(), [&](const Strategy& a, const Strategy& b) {
     return a.error.empty() != b.error.empty() ? a.error.empty() : losses(a) < losses(b);
   });
+  comparison.strategies.insert(comparison.strategies.begin(),
+                               audited_strategy(typed, {"exact", "exact", "", "to compare with"}, comparison));
   return comparison;
 }
 

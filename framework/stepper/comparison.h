@@ -58,7 +58,7 @@ std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::s
 Comparison compare_laws(const CaseAsTyped& typed, const std::vector<LawChoice>& laws);
 
 /// Of every law that has one free size, the choice that needs `speedup` times fewer particle-steps than the real bed; of the
-/// similarity family several. A law that cannot reach it says how far it gets.
+/// similarity family several; the exact bed first, to compare with. A law that cannot reach it says how far it gets.
 Comparison propose(const CaseAsTyped& typed, double speedup);
 
 }  // namespace similitude

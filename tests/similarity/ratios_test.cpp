@@ -246,13 +246,26 @@ TEST(SimulatedBed, RefusesAnotherRestitutionWithoutOne) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what())
-                  .find("terminal_velocity wants 1 - e^2 of the restitution e changed, but the contact model linear_spring has no "
-                        "restitution.\n"
-                        "  Choose a contact model that has one, or parameters of terminal_velocity that leave restitution "
-                        "alone."),
+                  .find("terminal_velocity wants 1 - e^2 of the restitution e changed, but the contact model linear_spring "
+                        "declares none.\n"
+                        "  Choose a contact model that scales a parameter as_restitution, or parameters of terminal_velocity "
+                        "that leave restitution alone."),
               std::string::npos)
         << error.what();
   }
+}
+
+TEST(ScalingWarnings, SpeakWhenTheGasSeesAnotherVolumeThanMoves) {
+  similitude_ratios ratios = identity_ratios();
+  ratios.diameter = 2;
+  ratios.parcel_weight = 6;
+  const std::vector<std::string> warnings = scaling_warnings(spouted_bed(), ratios);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0],
+            "models.scaling: with terminal_velocity the gas sees 0.75 times the volume of particles that moves (parcel_weight "
+            "drag_diameter^3 / diameter^3).");
+  ratios.parcel_weight = 8;
+  EXPECT_TRUE(scaling_warnings(spouted_bed(), ratios).empty());
 }
 
 TEST(ScalingWarnings, SpeakWhenHardlyAnyEnergyIsLeft) {

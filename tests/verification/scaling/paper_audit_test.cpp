@@ -18,7 +18,7 @@
 namespace similitude::test {
 namespace {
 
-constexpr SphereInGas k_alumina{1e-3, 1040, 1.225, 1.79e-5, 9.81}, k_glass{1e-3, 2500, 1.225, 1.79e-5, 9.81};
+constexpr SphereInGas k_alumina{1e-3, 1040, 1.225, 1.79e-5, 9.81};
 constexpr double k_printed_u_mf = 0.36;      // [m/s]
 constexpr double k_quarter = 0.25;           // r
 constexpr double k_particles = 461000;

@@ -96,7 +96,7 @@ struct HertzLaw {
   static void parameters(Parameters<HertzLaw>& p) {
     using L = HertzLaw;
     p.real("youngs_modulus", &L::youngs_modulus,
-           {.unit = "Pa", .min = 0, .typical_min = 1e5, .typical_max = 1e12, .doc = "Young's modulus; scales as a modulus."});
+           {.unit = "Pa", .min = 0, .typical_min = 1e5, .typical_max = 1e12, .doc = "Young's modulus."});
     p.real("poisson_ratio", &L::poisson_ratio, {.min = 0, .max = 0.5, .doc = "Poisson's ratio."});
     p.real("restitution", &L::restitution,
            {.min = 0.01, .max = 1, .typical_min = 0.3, .typical_max = 1, .doc = "Of a head-on impact, at any speed.",
