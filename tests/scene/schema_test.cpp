@@ -28,9 +28,10 @@ bool python_can() {
 }
 
 /// "valid …" or "invalid …" per case, or what Python said instead.
-std::string verdicts(const CaseFolder& folder, const std::vector<std::filesystem::path>& cases) {
+std::string verdicts(const CaseFolder& folder, const std::vector<std::filesystem::path>& cases,
+                     const Catalogue& catalogue = fake_catalogue()) {
   std::string command = std::string(k_python).append(" ").append(SIMILITUDE_VALIDATE_CASES).append(" ");
-  command += folder.write("schema.json", case_schema(fake_catalogue()).dump()).string();
+  command += folder.write("schema.json", case_schema(catalogue).dump()).string();
   for (const auto& one : cases) command.append(" ").append(one.string());
   std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen((command + " 2>&1").c_str(), "r"), pclose);
   std::string output;
@@ -55,6 +56,7 @@ class Schema : public ::testing::Test {
   }
 };
 
+// With the built plugins: a shipped case may name any of them.
 TEST_F(Schema, TakesEveryShippedCase) {
   const CaseFolder folder;
   std::vector<std::filesystem::path> cases;
@@ -69,7 +71,7 @@ TEST_F(Schema, TakesEveryShippedCase) {
     wanted += "valid " + entry.path().string() + "\n";
   }
   ASSERT_GE(cases.size(), 3u);
-  EXPECT_EQ(verdicts(folder, cases), wanted);
+  EXPECT_EQ(verdicts(folder, cases, Catalogue(search_levels({}))), wanted);
 }
 
 TEST_F(Schema, TakesTheExampleAndItsResolvedForm) {
