@@ -304,6 +304,17 @@ KeyTable output_keys() {
               .form = Form::section,
               .doc = "time-averaged particle velocity across the bed",
               .table = profile_keys},
+      CaseKey{.name = "probes",
+              .form = Form::named_sections,
+              .doc = "places by name whose pressure, gas velocity and gas fraction are written with every row of monitors.csv",
+              .table = probe_keys},
+  };
+  return keys;
+}
+
+KeyTable probe_keys() {
+  static constexpr std::array keys{
+      CaseKey{.name = "at", .form = Form::box, .unit = "mm", .required = true, .doc = "place; its cell speaks for it"},
   };
   return keys;
 }

@@ -64,6 +64,7 @@ KeyTable coupling_keys();
 KeyTable time_keys();
 KeyTable output_keys();
 KeyTable profile_keys();
+KeyTable probe_keys();
 
 /// models.scaling.stiffness: a key of the framework that stands among the scaling law's own parameters.
 const CaseKey& simulated_stiffness_key();

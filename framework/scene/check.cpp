@@ -244,6 +244,15 @@ void check_output(const RealScene& scene, const Document& document) {
         document.mark("output.profiles.z." + std::to_string(i)), "output.profiles.z",
         in_mm(profiles.z[i]) + " is outside the domain, which goes from 0 mm to " + in_mm(scene.size[2]) + ".");
   }
+  for (const Probe& probe : scene.output.probes) {
+    const std::string path = "output.probes." + probe.name + ".at";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (probe.place[axis] >= 0 && probe.place[axis] <= scene.size[axis]) continue;
+      throw InputError(document.mark(path), path,
+                       std::string(1, "xyz"[axis]) + " = " + in_mm(probe.place[axis]) + " is outside the domain, which goes from 0 mm to " +
+                           in_mm(scene.size[axis]) + ".");
+    }
+  }
   if (!profiles.z.empty() && profiles.from >= scene.time.end)
     throw InputError(document.mark("output.profiles.from"), "output.profiles.from",
                      "averaging starts at " + format_quantity(profiles.from, "s") + ", but the run ends at " +

@@ -180,6 +180,10 @@ std::string resolved_case(const RealScene& scene, const std::vector<std::filesys
     for (const double z : output.profiles.z) profiles["z"].push_back(in(z, "m"));
     profiles["from"] = in(output.profiles.from, "s");
   }
+  for (const Probe& probe : output.probes) {
+    Json& place = root["output"]["probes"][probe.name]["at"] = Json::array();
+    for (const double x : probe.place) place.push_back(in(x, "m"));
+  }
   return root.dump(2);
 }
 

@@ -123,10 +123,17 @@ struct ProfileOutput {
   double from = 0;                  // [s], averaging starts
 };
 
+/// A place whose gas is written along the run.
+struct Probe {
+  std::string name;
+  std::array<double, 3> place{};    // [m]
+};
+
 struct Output {
   double vtk_every = 0;             // [s]; 0: no VTK
   double monitor_every = 0;         // [s]
   ProfileOutput profiles;
+  std::vector<Probe> probes;
 };
 
 template <class Bed>

@@ -305,6 +305,9 @@ ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios)
   bed.output.monitor_every *= ratios.time;
   bed.output.profiles.from *= ratios.time;
   for (double& z : bed.output.profiles.z) z *= ratios.length;
+  for (Probe& probe : bed.output.probes) {
+    for (double& x : probe.place) x *= ratios.length;
+  }
   return bed;
 }
 

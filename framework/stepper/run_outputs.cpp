@@ -34,6 +34,8 @@ RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembl
       vtk_schedule_(assembly.model.output.vtk_every, 0),
       monitor_schedule_(assembly.model.output.monitor_every, 0),
       profile_schedule_(k_profile_interval * assembly.results.time, assembly.model.output.profiles.from) {
+  const std::vector<Probe>& probes = assembly.model.output.probes;
+  if (!probes.empty()) probes_.emplace(directory, probes, *assembly.grid, map_back_);
   if (assembly.model.output.vtk_every > 0) vtk_.emplace(directory, map_back_, class_names(assembly.real));
 }
 
@@ -56,6 +58,7 @@ void RunOutputs::write_monitors(const Simulation& simulation) {
                     .gas_density = assembly_.model.gas_density,
                     .largest_overlap_ratio = largest_overlap_};
   monitors_.write(similitude::observe(observed, map_back_));
+  if (probes_) probes_->write(simulation.time(), simulation.gas(), simulation.exchange().gas_fraction);
   largest_overlap_ = 0;
 }
 

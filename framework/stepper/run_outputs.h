@@ -9,6 +9,7 @@
 #include "output/directory.h"
 #include "output/manifest.h"
 #include "output/monitors.h"
+#include "output/probes.h"
 #include "output/profiles.h"
 #include "output/vtk_writer.h"
 #include "stepper/simulation.h"
@@ -49,6 +50,7 @@ class RunOutputs {
   MapBack map_back_;
   std::optional<VtkWriter> vtk_;
   MonitorFile monitors_;
+  std::optional<ProbeFile> probes_;
   ProfileSampler profiles_;
   Schedule vtk_schedule_, monitor_schedule_, profile_schedule_;
   double last_frame_time_ = -1;

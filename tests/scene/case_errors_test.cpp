@@ -293,6 +293,11 @@ TEST(CaseErrors, ProfilesLieInTheDomainAndTheRun) {
             "earlier, or raise time.end.");
 }
 
+TEST(CaseErrors, ProbesLieInTheDomain) {
+  EXPECT_EQ(complaint(example_with("profiles: {", "probes: {tap: {at: [75 mm, 25 mm, 100 mm]}}, profiles: {")),
+            "spout.yaml:20:50: output.probes.tap.at: y = 25 mm is outside the domain, which goes from 0 mm to 20 mm.");
+}
+
 TEST(CaseErrors, OverridesSayWhereTheyComeFrom) {
   EXPECT_EQ(complaint(k_example, {"models.scaling.geometry"}),
             "--set: \"models.scaling.geometry\" is not of the form key=value.\n  Write for example --set "

@@ -137,7 +137,7 @@ models:
   effects: [magnus, {id: saffman}]
 coupling: {smoothing: 8 mm}
 time: {end: 100 ms, dt: 1e-6 s, gas_dt: 20 us}
-output: {vtk: none, monitors: every 1 ms, profiles: {z: 20 mm}}
+output: {vtk: none, monitors: every 1 ms, profiles: {z: 20 mm}, probes: {tap: {at: [5 mm, 1 cm, 8 mm]}}}
 )")
                             .scene;
   EXPECT_EQ(bed.title, "spout");
@@ -177,6 +177,9 @@ output: {vtk: none, monitors: every 1 ms, profiles: {z: 20 mm}}
   EXPECT_EQ(bed.output.monitor_every, 0.001);
   EXPECT_EQ(bed.output.profiles.z, (std::vector{0.02}));
   EXPECT_EQ(bed.output.profiles.from, 0);
+  ASSERT_EQ(bed.output.probes.size(), 1u);
+  EXPECT_EQ(bed.output.probes[0].name, "tap");
+  EXPECT_EQ(bed.output.probes[0].place, (std::array{0.005, 0.01, 0.008}));
 }
 
 TEST(CaseFile, ParametersStandInTheOrderOfThePluginsTable) {
@@ -285,6 +288,11 @@ void expect_same(const RealScene& a, const RealScene& b) {
   EXPECT_EQ(a.time.dt, b.time.dt);
   EXPECT_EQ(a.output.vtk_every, b.output.vtk_every);
   EXPECT_EQ(a.output.profiles.z, b.output.profiles.z);
+  ASSERT_EQ(a.output.probes.size(), b.output.probes.size());
+  for (std::size_t i = 0; i < a.output.probes.size(); ++i) {
+    EXPECT_EQ(a.output.probes[i].name, b.output.probes[i].name);
+    EXPECT_EQ(a.output.probes[i].place, b.output.probes[i].place);
+  }
 }
 
 TEST(ResolvedCase, IsACaseThatReadsAsTheSameBed) {
