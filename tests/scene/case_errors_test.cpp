@@ -295,7 +295,7 @@ TEST(CaseErrors, ProfilesLieInTheDomainAndTheRun) {
 
 TEST(CaseErrors, ProbesLieInTheDomain) {
   EXPECT_EQ(complaint(example_with("profiles: {", "probes: {tap: {at: [75 mm, 25 mm, 100 mm]}}, profiles: {")),
-            "spout.yaml:20:50: output.probes.tap.at: y = 25 mm is outside the domain, which goes from 0 mm to 20 mm.");
+            "spout.yaml:20:47: output.probes.tap.at: y = 25 mm is outside the domain, which goes from 0 mm to 20 mm.");
 }
 
 TEST(CaseErrors, OverridesSayWhereTheyComeFrom) {
