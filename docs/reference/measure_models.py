@@ -118,6 +118,9 @@ def contact_table(run, ids, price):
     for model in ids:
         r = run(f"contact_{model}", contact=with_parameters(model))
         cost = f"{price['contact/' + model]:.1f}" if "contact/" + model in price else ""
+        if r.failed:
+            lines.append(f"| {model} | did not end: {' '.join(r.failed)} | | | | {cost} |")
+            continue
         overlap = max(row["largest_overlap [% of d]"] for block in r.blocks for row in block)
         lines.append(f"| {model} | {pair(r.mean('bed_height [m]'), 1e3)} | {overlap:.1f} | {r.particle_steps / 2000:.0f} | {r.wall:.1f} | {cost} |")
     return lines
@@ -161,11 +164,10 @@ def main():
             print(name, flush=True)
             return Run(given.similitude, folder, name, **models)
 
-        page = PAGE.read_text()
-        page = replace_table(page, "drag", drag_table(run, ids["drag"], price))
-        page = replace_table(page, "contact", contact_table(run, ids["contact"], price))
-        page = replace_table(page, "fluid", fluid_table(run, ids["fluid"]))
-        PAGE.write_text(page)
+        for name, table in (("drag", lambda: drag_table(run, ids["drag"], price)),
+                            ("contact", lambda: contact_table(run, ids["contact"], price)),
+                            ("fluid", lambda: fluid_table(run, ids["fluid"]))):
+            PAGE.write_text(replace_table(PAGE.read_text(), name, table()))
     return 0
 
 
