@@ -208,6 +208,7 @@ void read_time(const Section& section, RealScene& scene) {
 void read_output(const Section& section, RealScene& scene) {
   scene.output.vtk_every = section.every("vtk");
   scene.output.monitor_every = section.every("monitors");
+  scene.output.checkpoint_every = section.every("checkpoint");
   if (!section.given("profiles")) return;
   const Section profiles = section.section("profiles");
   scene.output.profiles.z = profiles.positions("z");
