@@ -65,6 +65,7 @@ Handle space_of(const Hdf5Column& column, const std::string& path) {
 /// No rows: nothing to chunk, nothing to check.
 Handle creation_of(const Hdf5Column& column, std::size_t row_bytes, const std::string& path) {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
+  checked(H5Pset_obj_track_times(creation, false), path);   // the same state, the same bytes
   if (column.rows == 0) return creation;
   const std::size_t rows = std::clamp<std::size_t>(k_chunk_bytes / row_bytes, 1, column.rows);
   const std::array<hsize_t, 2> chunk{rows, column.width};
@@ -118,15 +119,22 @@ Hdf5Writer::Hdf5Writer() : parts_(std::make_unique<Parts>()) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file");
   checked(H5Pset_fapl_core(access, k_growth_bytes, false), "file");
   H5FD_file_image_callbacks_t memory{make_room, nullptr, change_room, keep_room, same_owner, free_owner, &parts_->memory};
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file");
+  checked(H5Pset_obj_track_times(creation, false), "file");
   checked(H5Pset_file_image_callbacks(access, &memory), "file");
+  // No room in advance: closing would give back what is left of it, and the end of the file would not be known before.
+  checked(H5Pset_meta_block_size(access, 0), "file");
+  checked(H5Pset_small_data_block_size(access, 0), "file");
   checked(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST), "file");
-  parts_->file = checked(H5Fcreate("checkpoint in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), "file");
+  parts_->file = checked(H5Fcreate("checkpoint in memory", H5F_ACC_TRUNC, creation, access), "file");
 }
 
 Hdf5Writer::~Hdf5Writer() = default;
 
 void Hdf5Writer::group(const std::string& path) {
-  const Handle made(H5Gcreate2(parts_->file, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path);
+  const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, path);
+  checked(H5Pset_obj_track_times(creation, false), path);
+  const Handle made(H5Gcreate2(parts_->file, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, path);
 }
 
 void Hdf5Writer::dataset(const std::string& path, const void* numbers, const Hdf5Column& column, const std::string& columns) {
