@@ -24,9 +24,10 @@ struct FrameFolder {
   const char* prefix;
   const char* extension;
 };
-constexpr std::array k_frame_folders = {FrameFolder{"particles", "particles_", ".vtp"},
-                                        FrameFolder{"fluid", "fluid_", ".vti"},
-                                        FrameFolder{k_checkpoint_folder, "checkpoint_", ".h5"}};
+// Checkpoints are the first to go: what is left when a removal is broken off must not look like a run that can go on.
+constexpr std::array k_frame_folders = {FrameFolder{k_checkpoint_folder, "checkpoint_", ".h5"},
+                                        FrameFolder{"particles", "particles_", ".vtp"},
+                                        FrameFolder{"fluid", "fluid_", ".vti"}};
 
 std::string file_of_a_run(const fs::path& folder) {
   std::error_code ignored;
@@ -43,10 +44,6 @@ bool is_frame(const fs::path& file, const FrameFolder& frames) {
 
 /// Only what a run writes: whatever else lies in the folder is the user's.
 void remove_run(const fs::path& folder) {
-  for (const char* name : k_files_of_a_run) {
-    fs::remove(folder / name);
-    fs::remove(folder / (std::string(name) + ".part"));
-  }
   for (const FrameFolder& frames : k_frame_folders) {
     const fs::path inner = folder / frames.name;
     if (!fs::is_directory(inner)) continue;
@@ -54,6 +51,10 @@ void remove_run(const fs::path& folder) {
     for (const auto& entry : fs::directory_iterator(inner))
       if (entry.is_regular_file() && is_frame(entry.path(), frames)) old.push_back(entry.path());
     for (const fs::path& file : old) fs::remove(file);
+  }
+  for (const char* name : k_files_of_a_run) {
+    fs::remove(folder / name);
+    fs::remove(folder / (std::string(name) + ".part"));
   }
 }
 

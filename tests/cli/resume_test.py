@@ -260,11 +260,13 @@ class Killed(ResumeTest):
         while killed < KILLS:
             more = ["--force"]   # a run from the start, killed again and again until it comes through
             while killed < KILLS:
-                with subprocess.Popen([SIMILITUDE, "run", case, "-o", self.path("out"), *more], stdout=subprocess.DEVNULL,
-                                      stderr=subprocess.DEVNULL, cwd=self.folder.name) as process:
+                with open(self.path("log"), "w+", encoding="utf-8") as log, \
+                        subprocess.Popen([SIMILITUDE, "run", case, "-o", self.path("out"), *more], stdout=subprocess.DEVNULL,
+                                         stderr=log, cwd=self.folder.name) as process:
                     try:
                         process.wait(timeout=chance.uniform(0, 0.7 * duration))
-                        self.assertEqual(process.returncode, 0)
+                        log.seek(0)
+                        self.assertEqual(process.returncode, 0, log.read())
                         break
                     except subprocess.TimeoutExpired:
                         process.kill()
