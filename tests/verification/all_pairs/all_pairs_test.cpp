@@ -176,6 +176,7 @@ TEST_P(AllPairs, GoOnFromACheckpointWithTheSameBits) {
   const auto file = std::filesystem::temp_directory_path() / fmt::format("similitude_pairs_{}.h5", ::getpid());
   RunState state;
   broken->simulation->save(state.simulation);
+  EXPECT_FALSE(state.simulation.engine.touching.place.empty());   // or contacts would not be tested
   RunIdentity run;
   run.resolved_case = "{}";
   write_checkpoint(file, run, state);
