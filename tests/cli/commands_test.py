@@ -49,8 +49,8 @@ class Run(CommandTest):
         for folder, text, environment in (
                 ("sampled", SMALL, {}),
                 ("unsampled", SMALL.replace(", profiles: {z: [5 mm], from: 2 ms}", "").replace("monitors: every 1 ms", "monitors: every 1 s"), {}),
-                ("nearer", SMALL, {"SIMILITUDE_PLUGIN_PATH": self.path("near") + ":" + plugins}),
-                ("farther", SMALL, {"SIMILITUDE_PLUGIN_PATH": plugins})):
+                ("from_the_environment", SMALL, {"SIMILITUDE_PLUGIN_PATH": self.path("near")}),
+                ("from_the_case", "plugin_paths: [near]\n" + SMALL, {"SIMILITUDE_PLUGIN_PATH": plugins})):
             done = self.command("run", self.write(text), "-o", folder, **environment)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(self.path(folder + "/manifest.json"), encoding="utf-8") as file:
