@@ -14,6 +14,7 @@ build_packages=(
   libfmt-dev                             # messages
   nlohmann-json3-dev                     # manifests, --json
   libelf-dev                             # reads a plugin's tag before it is loaded
+  libhdf5-dev                            # checkpoints
 )
 
 # install_missing PACKAGE…: quiet when nothing is missing; uses sudo when not root.

@@ -14,7 +14,7 @@ struct RunArguments {
   std::string case_file, folder, until;
   std::vector<std::string> overrides;
   int threads = 0;
-  bool force = false;
+  bool force = false, resume = false;
 };
 
 int run(const RunArguments& arguments, const std::string& command_line) {
@@ -22,6 +22,7 @@ int run(const RunArguments& arguments, const std::string& command_line) {
   const CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
   RunOptions options{.folder = arguments.folder,
                      .force = arguments.force,
+                     .resume = arguments.resume,
                      .until = {},
                      .threads = arguments.threads,
                      .command = command_line};
@@ -47,7 +48,9 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line) {
   command->add_option("--until", arguments->until, "stop at this time of the real bed, e.g. \"0.2 s\"");
   command->add_option("--threads", arguments->threads, "threads (default: all cores); the results are the same bits")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--force", arguments->force, "replace an earlier run in the folder");
+  CLI::Option* force = command->add_flag("--force", arguments->force, "replace an earlier run in the folder");
+  command->add_flag("--resume", arguments->resume, "go on from the newest checkpoint in the folder: the same results as without a break")
+      ->excludes(force);
   command->callback([arguments, &action, command_line] { action = [arguments, command_line] { return run(*arguments, command_line); }; });
 }
 

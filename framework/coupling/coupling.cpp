@@ -229,6 +229,20 @@ void Coupling::settle_accounts(const ParticleStore& particles) {
   parts_->accounts_opened = particles.size();
 }
 
+void Coupling::save(CouplingState& state) const {
+  state.fields = fields_;
+  state.pending = parts_->pending;
+  state.accounts_opened = parts_->accounts_opened;
+  state.accounts_left = parts_->accounts_left;
+}
+
+void Coupling::restore(const CouplingState& state) {
+  fields_ = state.fields;
+  parts_->pending = state.pending;
+  parts_->accounts_opened = static_cast<std::size_t>(state.accounts_opened);
+  parts_->accounts_left = state.accounts_left;
+}
+
 std::array<double, 3> Coupling::pending_momentum() const { return parts_->pending; }
 
 std::uint64_t Coupling::accounts_left() const { return parts_->accounts_left; }

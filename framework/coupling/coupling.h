@@ -38,6 +38,13 @@ struct GasFields {
   Column<double> stress_force;   // [N/m^3], 3 x cells
 };
 
+/// What a coupling remembers between two gas steps, beside the particles' own rows.
+struct CouplingState {
+  ExchangeFields fields;
+  std::array<double, 3> pending{};   // [kg m/s]
+  std::uint64_t accounts_opened = 0, accounts_left = 0;
+};
+
 class Coupling {
  public:
   /// `coupled` false: a given gas (one-way); no solids fraction is deposited, eps is 1, nothing is charged to the gas and
@@ -69,6 +76,10 @@ class Coupling {
   /// After the DEM sub-steps: adds up what particles really received against what the gas was charged; the difference goes
   /// into the remainder of the next deposit(). A particle that left through an outlet takes its open account with it.
   void settle_accounts(const ParticleStore& particles);
+
+  /// After settle_accounts(); a bed with the same rows and restore() goes on with the same bits.
+  void save(CouplingState& state) const;
+  void restore(const CouplingState& state);
 
   /// [kg m/s], taken from or owed to the gas and not yet with the particles: gas + particles + this is the total momentum. Valid
   /// after start(), interpolate() and settle_accounts().

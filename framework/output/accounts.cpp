@@ -29,11 +29,11 @@ double energy_of(const ParticleStore& particles) {
 }
 
 Accounts::Accounts(const ParticleStore& particles, double gas_mass)
-    : momentum_(momentum_of(particles)), energy_(energy_of(particles)), gas_mass_(gas_mass) {}
+    : state_{.momentum = momentum_of(particles), .energy = energy_of(particles), .gas_mass = gas_mass} {}
 
 void Accounts::add_flow(double inflow, double outflow, double dt) {
-  gas_in_ += inflow * dt;
-  gas_out_ += outflow * dt;
+  state_.gas_in += inflow * dt;
+  state_.gas_out += outflow * dt;
 }
 
 Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget& b, double gas_mass) const {
@@ -41,16 +41,16 @@ Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget
   const std::array<double, 3> now = momentum_of(particles);
   std::array<double, 3> missing{};
   for (std::size_t a = 0; a < 3; ++a) {
-    missing[a] = now[a] - momentum_[a] + b.removed_momentum[a] -
+    missing[a] = now[a] - state_.momentum[a] + b.removed_momentum[a] -
                  (b.gravity_impulse[a] + b.drag_impulse[a] + b.stress_impulse[a] + b.wall_impulse[a]);
   }
-  out.momentum = relative(magnitude(missing), magnitude(momentum_) + magnitude(b.gravity_impulse) + magnitude(b.drag_impulse) +
+  out.momentum = relative(magnitude(missing), magnitude(state_.momentum) + magnitude(b.gravity_impulse) + magnitude(b.drag_impulse) +
                                                   magnitude(b.stress_impulse) + magnitude(b.wall_impulse));
-  out.energy = relative(std::abs(energy_of(particles) - energy_ + b.removed_energy -
+  out.energy = relative(std::abs(energy_of(particles) - state_.energy + b.removed_energy -
                                  (b.gravity_work + b.drag_work + b.stress_work + b.contact_work)),
-                        energy_ + std::abs(b.gravity_work) + std::abs(b.drag_work) + std::abs(b.stress_work) +
+                        state_.energy + std::abs(b.gravity_work) + std::abs(b.drag_work) + std::abs(b.stress_work) +
                             std::abs(b.contact_work));
-  out.gas_mass = relative(std::abs(gas_mass - gas_mass_ - gas_in_ + gas_out_), gas_in_ + gas_out_ > 0 ? gas_in_ + gas_out_ : gas_mass_);
+  out.gas_mass = relative(std::abs(gas_mass - state_.gas_mass - state_.gas_in + state_.gas_out), state_.gas_in + state_.gas_out > 0 ? state_.gas_in + state_.gas_out : state_.gas_mass);
   return out;
 }
 

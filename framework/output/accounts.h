@@ -17,9 +17,18 @@ struct Balances {
   double gas_mass = 0;   // over what came in and went out, or in a closed box over what there is
 };
 
+/// What an account holds, for checkpoints.
+struct AccountsState {
+  std::array<double, 3> momentum{};   // [kg m/s], at the start
+  double energy = 0;                  // [J], at the start
+  double gas_mass = 0;                // [kg], at the start
+  double gas_in = 0, gas_out = 0;     // [kg], since the start
+};
+
 class Accounts {
  public:
   Accounts() = default;
+  explicit Accounts(const AccountsState& state) : state_(state) {}
   /// At the start of a run; gas_mass [kg] of all cells.
   Accounts(const ParticleStore& particles, double gas_mass);
 
@@ -27,14 +36,12 @@ class Accounts {
   void add_flow(double inflow, double outflow, double dt);
 
   Balances balances(const ParticleStore& particles, const ParticleBudget& budget, double gas_mass) const;
-  double gas_in() const { return gas_in_; }     // [kg], since the start
-  double gas_out() const { return gas_out_; }   // [kg]
+  double gas_in() const { return state_.gas_in; }     // [kg], since the start
+  double gas_out() const { return state_.gas_out; }   // [kg]
+  const AccountsState& state() const { return state_; }
 
  private:
-  std::array<double, 3> momentum_{};   // [kg m/s], at the start
-  double energy_ = 0;                  // [J], at the start
-  double gas_mass_ = 0;                // [kg], at the start
-  double gas_in_ = 0, gas_out_ = 0;
+  AccountsState state_;
 };
 
 /// [kg m/s], of all rows.

@@ -3,6 +3,7 @@
 /// J. Chem. Phys. 91, 461).
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace similitude {
@@ -26,16 +27,23 @@ class BlockAverage {
   /// (sum W_b)^2 / sum W_b^2 over whole blocks (Kish): blocks that saw little count little.
   double effective_blocks() const;
   /// How many instants one block holds.
-  std::uint64_t block_length() const { return block_length_; }
+  std::uint64_t block_length() const { return state_.block_length; }
 
- private:
   struct Sums {
     double weighted = 0, weight = 0;
   };
-  std::vector<Sums> blocks_;
-  Sums open_;  // the block that is being filled
-  Sums total_;
-  std::uint64_t in_open_ = 0, block_length_ = 1;
+  /// All that it remembers, for checkpoints.
+  struct State {
+    std::vector<Sums> blocks;
+    Sums open;  // the block that is being filled
+    Sums total;
+    std::uint64_t in_open = 0, block_length = 1;
+  };
+  const State& state() const { return state_; }
+  void restore(State state) { state_ = std::move(state); }
+
+ private:
+  State state_;
 };
 
 }  // namespace similitude

@@ -40,6 +40,24 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::s
   }
 }
 
+CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& columns, std::uint64_t length)
+    : file_(file), descriptor_(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)), columns_(columns.size()) {
+  if (descriptor_ < 0) throw_output_error(file_, "continued", errno);
+  const std::uint64_t there = this->length();
+  if (there >= length && ::ftruncate(descriptor_, static_cast<off_t>(length)) == 0) return;
+  const int error = errno;
+  ::close(descriptor_);
+  if (there >= length) throw_output_error(file_, "cut back to its last whole row", error);
+  throw OutputError(file_.string() + " has " + std::to_string(there) + " bytes, but had " + std::to_string(length) +
+                        " when the checkpoint was written: rows are missing.",
+                    "Put the file back as it was, or start the run anew with --force.");
+}
+
+std::uint64_t CsvWriter::length() const {
+  const off_t end = ::lseek(descriptor_, 0, SEEK_END);
+  return end < 0 ? 0 : static_cast<std::uint64_t>(end);
+}
+
 CsvWriter::~CsvWriter() { ::close(descriptor_); }
 
 void CsvWriter::row(const std::vector<double>& values) {

@@ -1,6 +1,7 @@
 #pragma once
 /// A table that grows row by row and can be read while it does.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@ class CsvWriter {
  public:
   /// Starts the file anew with a row of column names. Throws OutputError.
   CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& columns);
+  /// Goes on after the first `length` bytes of a table that is there: what follows them is cut off. Throws OutputError if the
+  /// file has fewer.
+  CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& columns, std::uint64_t length);
   ~CsvWriter();
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
@@ -20,6 +24,8 @@ class CsvWriter {
   /// thrown.
   void row(const std::vector<double>& values);
   void row_of_text(const std::vector<std::string>& fields);
+  /// [bytes], whole rows only.
+  std::uint64_t length() const;
 
  private:
   std::filesystem::path file_;

@@ -13,14 +13,22 @@ class OutputDirectory {
   /// or written to.
   OutputDirectory(const std::filesystem::path& path, bool force);
 
+  /// The folder of an earlier run that is to go on. InputError if there is no such run or it cannot be written to.
+  static OutputDirectory of_earlier_run(const std::filesystem::path& path);
+
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
   /// A folder inside, created if needed. Throws OutputError (output/whole_file.h).
   std::filesystem::path subfolder(const std::string& name) const;
 
  private:
+  struct Existing {};
+  OutputDirectory(const std::filesystem::path& path, Existing) : path_(path) {}
   std::filesystem::path path_;
 };
+
+/// Where a run's checkpoints lie in its folder.
+inline constexpr const char* k_checkpoint_folder = "checkpoints";
 
 /// Does the folder hold files of a run? What `--force` asks about.
 bool holds_a_run(const std::filesystem::path& folder);

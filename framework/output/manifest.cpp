@@ -126,6 +126,13 @@ void write_manifest(const OutputDirectory& directory, const Manifest& m, const s
   out["exit_status"] = m.exit_status >= 0 ? json(m.exit_status) : json(nullptr);
   out["exit_reason"] = m.exit_reason;
   out["started"] = m.started;
+  out["resumed"] = json::array();
+  for (const Resumption& r : m.resumed)
+    out["resumed"].push_back({{"checkpoint", r.checkpoint},
+                              {"simulated_s", r.simulated_s},
+                              {"started", r.started},
+                              {"command", r.command},
+                              {"threads", r.threads}});
   out["ended"] = m.ended.empty() ? json(nullptr) : json(m.ended);
   out["simulated_s"] = m.simulated_s;
   out["particles"] = m.particles;

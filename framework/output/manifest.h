@@ -20,6 +20,15 @@ struct ManifestPlugin {
 /// Reads the plugin's file for its hash.
 ManifestPlugin manifest_plugin(const PluginEntry& plugin);
 
+/// One start of the program in a run's life after the first.
+struct Resumption {
+  std::string checkpoint;  // file
+  double simulated_s = 0;  // [s] of the real bed, where it went on
+  std::string started;     // UTC
+  std::string command;
+  int threads = 1;
+};
+
 struct Machine {
   std::string processor, kernel;
   int cores = 0;
@@ -36,6 +45,7 @@ struct Manifest {
   similitude_ratios scaling{};  // as the law returned them
   MapBack map_back;
   std::uint64_t particles = 0;     // simulated, at the start
+  std::vector<Resumption> resumed;
   std::string started, ended;      // UTC, ISO 8601; `ended` empty while running
   std::string status = "running";  // "running", "done", "stopped", "interrupted", "failed"
   int exit_status = -1;            // of the process; -1 while running

@@ -69,6 +69,9 @@ double expanded_bed_height(const ParticleStore& particles);
 class MonitorFile {
  public:
   explicit MonitorFile(const OutputDirectory& directory);
+  /// Goes on after the first `length` bytes.
+  MonitorFile(const OutputDirectory& directory, std::uint64_t length);
+  std::uint64_t length() const { return csv_.length(); }
   void write(const Monitors& monitors);
 
  private:

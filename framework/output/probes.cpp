@@ -3,6 +3,21 @@
 #include <algorithm>
 
 namespace similitude {
+namespace {
+
+constexpr const char* k_file = "probes.csv";
+const std::vector<std::string> k_columns{"time [s]",
+                                         "probe",
+                                         "x [m]",
+                                         "y [m]",
+                                         "z [m]",
+                                         "pressure [Pa]",
+                                         "gas_velocity_x [m/s]",
+                                         "gas_velocity_y [m/s]",
+                                         "gas_velocity_z [m/s]",
+                                         "gas_fraction [1]"};
+
+}  // namespace
 
 std::size_t cell_at(const Grid& grid, const std::array<double, 3>& place) {
   std::array<int, 3> at{};
@@ -23,10 +38,16 @@ ProbeReading read_probe(std::size_t cell, const GasFields& gas, const Column<dou
 }
 
 ProbeFile::ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back)
-    : map_back_(map_back),
-      csv_(directory.file("probes.csv"), {"time [s]", "probe", "x [m]", "y [m]", "z [m]", "pressure [Pa]", "gas_velocity_x [m/s]",
-                                          "gas_velocity_y [m/s]", "gas_velocity_z [m/s]", "gas_fraction [1]"}) {
-  for (const Probe& probe : probes) taps_.push_back({probe, cell_at(grid, probe.place)});
+    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_file), k_columns) {}
+
+ProbeFile::ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back,
+                     std::uint64_t length)
+    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_file), k_columns, length) {}
+
+std::vector<ProbeFile::Tap> ProbeFile::taps(const std::vector<Probe>& probes, const Grid& grid) {
+  std::vector<Tap> taps;
+  for (const Probe& probe : probes) taps.push_back({probe, cell_at(grid, probe.place)});
+  return taps;
 }
 
 void ProbeFile::write(double time, const GasFields& gas, const Column<double>& gas_fraction) {

@@ -27,15 +27,21 @@ class ProbeFile {
  public:
   /// `probes` of the simulated bed.
   ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back);
+  /// Goes on after the first `length` bytes.
+  ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back,
+            std::uint64_t length);
 
   /// A row per probe. Time [s] is the simulated bed's.
   void write(double time, const GasFields& gas, const Column<double>& gas_fraction);
+  std::uint64_t length() const { return csv_.length(); }   // [bytes], whole rows only
 
  private:
   struct Tap {
     Probe probe;
     std::size_t cell;
   };
+  static std::vector<Tap> taps(const std::vector<Probe>& probes, const Grid& grid);
+
   std::vector<Tap> taps_;
   MapBack map_back_;
   CsvWriter csv_;

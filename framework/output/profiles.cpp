@@ -54,8 +54,10 @@ ProfileSettings profile_settings(const RealScene& real) {
 ProfileSampler::ProfileSampler(ProfileSettings settings, MapBack map_back)
     : settings_(std::move(settings)),
       map_back_(std::move(map_back)),
-      solids_(settings_.heights.size() * bins_across()),
-      gas_(solids_.size()) {}
+      seen_{.solids = std::vector<Bin>(settings_.heights.size() * bins_across()),
+            .gas = std::vector<Bin>(settings_.heights.size() * bins_across()),
+            .solids_window = {},
+            .gas_window = {}} {}
 
 std::size_t ProfileSampler::bins_across() const {
   // A width that is a whole number of bins but for rounding must not get a sliver of a bin more.
@@ -72,15 +74,15 @@ Interval ProfileSampler::bin_extent(std::size_t bin) const {
 
 void ProfileSampler::sample(const ParticleStore& particles, double time) {
   const double real_time = map_back_.time(time);
-  if (real_time < settings_.from || solids_.empty()) return;
-  extend(solids_window_, real_time);
+  if (real_time < settings_.from || seen_.solids.empty()) return;
+  extend(seen_.solids_window, real_time);
 
   struct Sums {
     double momentum = 0, mass = 0;
   };
   const std::size_t across = bins_across();
   const Interval depth = central_third(settings_.size[1]);
-  std::vector<Sums> sums(solids_.size());
+  std::vector<Sums> sums(seen_.solids.size());
   for (std::size_t k = 0; k < particles.size(); ++k) {
     const Row& p = particles.position[k];
     const double y = map_back_.length(p.y), z = map_back_.length(p.z);
@@ -93,16 +95,16 @@ void ProfileSampler::sample(const ParticleStore& particles, double time) {
       const Row& v = particles.velocity[k];
       sums[bin].momentum += v.w * map_back_.velocity(v.z);
       sums[bin].mass += v.w;
-      ++solids_[bin].n;
+      ++seen_.solids[bin].n;
     }
   }
-  for (std::size_t bin = 0; bin < sums.size(); ++bin) solids_[bin].average.add(sums[bin].momentum, sums[bin].mass);
+  for (std::size_t bin = 0; bin < sums.size(); ++bin) seen_.solids[bin].average.add(sums[bin].momentum, sums[bin].mass);
 }
 
 void ProfileSampler::sample(const Grid& grid, const Column<double>& gas_fraction, double time) {
   const double real_time = map_back_.time(time);
-  if (real_time < settings_.from || gas_.empty()) return;
-  extend(gas_window_, real_time);
+  if (real_time < settings_.from || seen_.gas.empty()) return;
+  extend(seen_.gas_window, real_time);
 
   const std::size_t across = bins_across();
   const Shares in_y = shares(grid, map_back_, 1, central_third(settings_.size[1]));
@@ -111,7 +113,7 @@ void ProfileSampler::sample(const Grid& grid, const Column<double>& gas_fraction
     const Shares in_z = shares(grid, map_back_, 2, {z0 - settings_.half_thickness, z0 + settings_.half_thickness});
     for (std::size_t column = 0; column < across; ++column) {
       const Shares in_x = shares(grid, map_back_, 0, bin_extent(column));
-      Bin& bin = gas_[level * across + column];
+      Bin& bin = seen_.gas[level * across + column];
       double sum = 0, volume = 0;
       for (std::size_t k = 0; k < in_z.lengths.size(); ++k)
         for (std::size_t j = 0; j < in_y.lengths.size(); ++j)
@@ -141,8 +143,8 @@ void ProfileSampler::append_rows(const std::string& sampler, const std::vector<B
 
 std::vector<ProfileRow> ProfileSampler::rows() const {
   std::vector<ProfileRow> rows;
-  if (solids_window_.instants > 0) append_rows(k_vertical_velocity, solids_, rows);
-  if (gas_window_.instants > 0) append_rows(k_gas_fraction, gas_, rows);
+  if (seen_.solids_window.instants > 0) append_rows(k_vertical_velocity, seen_.solids, rows);
+  if (seen_.gas_window.instants > 0) append_rows(k_gas_fraction, seen_.gas, rows);
   return rows;
 }
 

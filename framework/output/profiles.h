@@ -53,23 +53,31 @@ class ProfileSampler {
 
   /// By sampler, then height, then x.
   std::vector<ProfileRow> rows() const;
-  const ProfileWindow& solids_window() const { return solids_window_; }
-  const ProfileWindow& gas_window() const { return gas_window_; }
+  const ProfileWindow& solids_window() const { return seen_.solids_window; }
+  const ProfileWindow& gas_window() const { return seen_.gas_window; }
   const ProfileSettings& settings() const { return settings_; }
 
- private:
   struct Bin {
     BlockAverage average;
     std::uint64_t n = 0;
   };
+  /// All that was seen so far, for checkpoints.
+  struct State {
+    std::vector<Bin> solids, gas;  // height by height, x fastest
+    ProfileWindow solids_window, gas_window;
+  };
+  const State& state() const { return seen_; }
+  /// Of a sampler with the same settings.
+  void restore(State state) { seen_ = std::move(state); }
+
+ private:
   std::size_t bins_across() const;
   Interval bin_extent(std::size_t bin) const;
   void append_rows(const std::string& sampler, const std::vector<Bin>& bins, std::vector<ProfileRow>& rows) const;
 
   ProfileSettings settings_;
   MapBack map_back_;
-  std::vector<Bin> solids_, gas_;  // height by height, x fastest
-  ProfileWindow solids_window_, gas_window_;
+  State seen_;
 };
 
 /// profiles.csv: sampler,x,y,z,mean,standard error,n,blocks. Throws OutputError.

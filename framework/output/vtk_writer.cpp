@@ -136,6 +136,35 @@ struct VtkWriter::Parts {
   }
 };
 
+namespace {
+
+/// Frames are numbered without a gap, so the first that is missing is the end.
+void remove_frames(const OutputDirectory& directory, const Series& series, std::size_t first) {
+  std::error_code error;
+  for (std::size_t frame = first; std::filesystem::remove(directory.file(series.frame_file(frame)), error); ++frame) {
+  }
+  if (error) throw_output_error(directory.file(series.frame_file(first)), "removed", error.value());
+}
+
+}  // namespace
+
+VtkWriter::Frames VtkWriter::frames() const { return {parts_->particles.times, parts_->fluid.times}; }
+
+void VtkWriter::go_on_after(const Frames& frames) {
+  parts_->particles.times = frames.particles;
+  parts_->fluid.times = frames.fluid;
+  for (const Series* series : {&parts_->particles, &parts_->fluid}) {
+    const auto list = parts_->directory.file(series->name + ".pvd");
+    if (series->times.empty()) {
+      std::error_code ignored;
+      std::filesystem::remove(list, ignored);
+    } else {
+      write_whole_file(list, series->pvd());
+    }
+    remove_frames(parts_->directory, *series, series->times.size());
+  }
+}
+
 VtkWriter::VtkWriter(const OutputDirectory& directory, const MapBack& map_back, std::vector<std::string> class_names)
     : parts_(new Parts{directory, map_back, std::move(class_names)}) {}
 VtkWriter::~VtkWriter() = default;

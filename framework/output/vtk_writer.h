@@ -26,6 +26,15 @@ class VtkWriter {
   /// OutputError.
   void particles(const ParticleStore& particles, double time);
 
+  /// Times of the frames so far [s, real bed].
+  struct Frames {
+    std::vector<double> particles, fluid;
+  };
+  Frames frames() const;
+  /// Goes on after these frames of an earlier run in the folder: the lists name them alone, later ones are removed. Throws
+  /// OutputError.
+  void go_on_after(const Frames& frames);
+
   /// fluid/fluid_<frame>.vti (cell data, float32) and fluid.pvd.
   void fluid(const Grid& grid, const GasFields& gas, const Column<double>& gas_fraction, double time);
 

@@ -80,4 +80,12 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
   sync_folder(file.parent_path());
 }
 
+void sync_file(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw_output_error(file, "synced", errno);
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0) throw_output_error(file, "synced", error);
+}
+
 }  // namespace similitude

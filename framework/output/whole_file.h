@@ -22,4 +22,7 @@ class OutputError : public std::runtime_error {
 /// part. On failure the temporary file is removed, an earlier `file` is untouched, and OutputError is thrown.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// What was written to a growing file survives a power cut. Throws OutputError.
+void sync_file(const std::filesystem::path& file);
+
 }  // namespace similitude

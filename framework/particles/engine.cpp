@@ -78,6 +78,10 @@ struct Engine::Parts {
   void advance(std::int64_t sub_steps);
   void sub_step();
   void rebuild();
+  void build_lists(std::size_t rows);
+  void save(EngineState& state) const;
+  void restore(const EngineState& state);
+  void sort_as_before();
   void wrap_positions();
   void mark_leaving();
   void carry_out(std::size_t row);
@@ -191,23 +195,27 @@ void Engine::Parts::rebuild() {
   for (std::uint32_t row = 0; row < order.size(); ++row) new_row[order[row]] = row;
   particles.reorder(order);
   carried.collect(lists, new_row, order.size());
-
-  double largest_radius = 0;
-  for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
-  lists.build(particles, bricks, surfaces, reach + skin, largest_radius, carried);
-  contacts.make_room();
-
-  reference.resize(order.size());
-  std::copy(particles.position.begin(), particles.position.end(), reference.begin());
-  outcomes.reserve(bricks.places());
-  outcomes.resize(bricks.count());
-  for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
-  listed_rows = order.size();
+  build_lists(order.size());
   travel = 0;
   listed_at = steps;
   stale = false;
   ++report.rebuilds;
   clock.lap(Stage::list);
+}
+
+/// At the present positions of sorted rows.
+void Engine::Parts::build_lists(std::size_t rows) {
+  double largest_radius = 0;
+  for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
+  lists.build(particles, bricks, surfaces, reach + skin, largest_radius, carried);
+  contacts.make_room();
+
+  reference.resize(rows);
+  std::copy(particles.position.begin(), particles.position.end(), reference.begin());
+  outcomes.reserve(bricks.places());
+  outcomes.resize(bricks.count());
+  for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
+  listed_rows = rows;
 }
 
 double Engine::Parts::displacement() const {
@@ -378,6 +386,61 @@ void Engine::Parts::throw_not_finite(std::uint32_t brick) const {
                         "compare time.dt with the limits that `similitude check` prints.");
 }
 
+// ----------------------------------------------------------------------------------------------------- checkpoints
+
+void Engine::Parts::save(EngineState& state) const {
+  state.listed = listed_rows > 0 && listed_rows == particles.size();
+  state.stale = stale;
+  state.cut_off = bricks.cut_off();
+  state.reach = reach;
+  state.skin = skin;
+  state.skin_in_diameters = skin_in_diameters;
+  state.listed_at = listed_at;
+  state.steps = steps;
+  state.report = report;
+  if (!state.listed) {
+    state.reference.clear();
+    state.touching = {};
+    return;
+  }
+  state.reference = reference;
+  collect_touching(lists, state.touching);
+}
+
+/// Lists hold rows, so rows sorted by the positions of then must be those that stand there now.
+void Engine::Parts::sort_as_before() {
+  leaves.assign(particles.size(), 0);
+  bricks.sort(particles, leaves);
+  const std::vector<std::uint32_t>& order = bricks.order();
+  for (std::uint32_t row = 0; row < order.size(); ++row) {
+    if (order[row] != row) throw std::invalid_argument("the rows are not in the order in which lists were built");
+  }
+}
+
+void Engine::Parts::restore(const EngineState& state) {
+  report = state.report;
+  skin_in_diameters = state.skin_in_diameters;
+  listed_at = state.listed_at;
+  steps = state.steps;
+  stale = true;
+  listed_rows = 0;
+  lists.bricks.clear();   // nothing is carried over from them
+  if (!state.listed) return;
+  if (state.reference.size() != particles.size()) throw std::invalid_argument("as many rows as lists were built for are needed");
+  reach = state.reach;
+  contacts.set_reach(reach);
+  skin = state.skin;
+  bricks.lay_out(size, periodic, state.cut_off);
+  Column<Row> now = state.reference;
+  particles.position.swap(now);
+  sort_as_before();
+  carried.clear();
+  build_lists(particles.size());
+  particles.position.swap(now);
+  if (!give_back_touching(state.touching, lists)) throw std::invalid_argument("a contact that touched is not in the lists");
+  stale = state.stale;
+}
+
 // --------------------------------------------------------------------------------------------------------- outside
 
 Engine::Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options)
@@ -390,6 +453,9 @@ void Engine::set_options(const EngineOptions& options) {
   if (options.skin != parts_->options.skin) parts_->stale = true;
   parts_->options = options;
 }
+
+void Engine::save(EngineState& state) const { parts_->save(state); }
+void Engine::restore(const EngineState& state) { parts_->restore(state); }
 
 const EngineReport& Engine::report() const { return parts_->report; }
 

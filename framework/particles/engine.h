@@ -11,6 +11,7 @@
 #include "loader/catalogue.h"
 #include "particles/budget.h"
 #include "particles/store.h"
+#include "particles/touching_contacts.h"
 #include "scene/scene.h"
 
 namespace similitude {
@@ -41,6 +42,20 @@ struct EngineReport {
   ParticleBudget budget;                       // since construction
 };
 
+/// What an engine remembers between two calls of advance(), beside the store's rows. Lists are not in it: they are built
+/// again from the positions they were built at.
+struct EngineState {
+  bool listed = false;                         // false: there are no lists yet, and nothing follows about them
+  bool stale = true;                           // lists must be built before the next sub-step, whatever moved
+  double cut_off = 0;                          // [m], of the cells that rows are sorted by
+  double reach = 0, skin = 0;                  // [m]
+  double skin_in_diameters = 0;                // [-]
+  std::int64_t listed_at = 0, steps = 0;       // sub-steps
+  Column<Row> reference;                       // positions when the lists were built [m], w: radius [m]
+  TouchingContacts touching;
+  EngineReport report;
+};
+
 /// A stage's share of the time, for timing.json.
 struct StageTime {
   std::string name;
@@ -67,6 +82,13 @@ class Engine {
   void advance(std::int64_t sub_steps);
   /// Changes dt or damping, e.g. when settling ends. History is kept.
   void set_options(const EngineOptions& options);
+
+  /// Between two calls of advance(). A store with the same rows in the same order and restore() go on with the same bits as
+  /// if nothing had been between, for any number of threads. [main]
+  void save(EngineState& state) const;
+  /// `particles` has been set to the rows of that instant. Throws std::invalid_argument if state and rows do not belong
+  /// together.
+  void restore(const EngineState& state);
 
   const EngineReport& report() const;
   std::vector<StageTime> stage_times() const;

@@ -72,6 +72,20 @@ void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
   reorder_column(species, order, spare_species_);
 }
 
+void ParticleStore::copy_rows(const ParticleStore& other) {
+  fields = other.fields;
+  position = other.position;
+  velocity = other.velocity;
+  force = other.force;
+  angular_velocity = other.angular_velocity;
+  torque = other.torque;
+  gas = other.gas;
+  stress_force = other.stress_force;
+  drag_impulse = other.drag_impulse;
+  id = other.id;
+  species = other.species;
+}
+
 std::size_t ParticleStore::bytes_per_particle() const {
   const std::size_t rows = size();
   std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(spare_ids_, rows) + bytes_per_row(species, rows) +

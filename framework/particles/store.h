@@ -57,6 +57,8 @@ struct ParticleStore {
   std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
   /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
   void reorder(const std::vector<std::uint32_t>& order);
+  /// All rows of `other`, without its working memory.
+  void copy_rows(const ParticleStore& other);
   /// Bytes of one particle's rows, as allocated.
   std::size_t bytes_per_particle() const;
 

@@ -174,6 +174,7 @@ std::string resolved_case(const RealScene& scene, const std::vector<std::filesys
   const Output& output = scene.output;
   root["output"]["vtk"] = output.vtk_every > 0 ? "every " + in(output.vtk_every, "s") : "none";
   root["output"]["monitors"] = "every " + in(output.monitor_every, "s");
+  root["output"]["checkpoint"] = output.checkpoint_every > 0 ? "every " + in(output.checkpoint_every, "s") : "none";
   if (!output.profiles.z.empty()) {
     Json& profiles = root["output"]["profiles"];
     profiles["z"] = Json::array();

@@ -132,6 +132,7 @@ struct Probe {
 struct Output {
   double vtk_every = 0;             // [s]; 0: no VTK
   double monitor_every = 0;         // [s]
+  double checkpoint_every = 0;      // [s] of wall-clock time, the same for both beds; 0: none
   ProfileOutput profiles;
   std::vector<Probe> probes;
 };

@@ -209,6 +209,7 @@ void read_output(const Section& section, RealScene& scene) {
   scene.output.vtk_every = section.every("vtk");
   scene.output.monitor_every = section.every("monitors");
   for (const auto& [name, probe] : section.named("probes")) scene.output.probes.push_back({name, probe.box("at")});
+  scene.output.checkpoint_every = section.every("checkpoint");
   if (!section.given("profiles")) return;
   const Section profiles = section.section("profiles");
   scene.output.profiles.z = profiles.positions("z");

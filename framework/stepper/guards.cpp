@@ -1,5 +1,6 @@
 #include "stepper/guards.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,9 @@ constexpr double k_overlap_to_stop = 0.30;       // of a diameter: no sphere is 
 constexpr double k_courant_to_warn = 0.8;        // accuracy suffers, and a gust may pass the limit
 constexpr double k_courant_to_stop = 1.0;        // explicit advection is unbounded beyond
 constexpr double k_mass_residual_to_warn = 1e-5; // of the throughput, per step
+constexpr double k_gas_balance_to_warn = 1e-5;   // of all that flowed: a hundred times the solver's own tolerance
+constexpr double k_gas_balance_to_stop = 1e-2;   // of all that flowed: a bed's expansion or pressure drop is no better then
+constexpr double k_rounding_to_stop = 1e-6;      // of all that was exchanged: roundings of 1e8 sub-steps, were they all to one side, give 1e-8
 constexpr double k_smallest_gas_fraction = 0.10; // denser than any packing of overlapping spheres that means something
 
 std::string at(std::array<double, 3> place, const ResultRatios& ratios) {
@@ -24,10 +28,15 @@ std::string at(std::array<double, 3> place, const ResultRatios& ratios) {
 
 }  // namespace
 
-void Guards::warn_once(bool& said, const std::string& text) {
-  if (said) return;
-  said = true;
+void Guards::warn_once(Warning warning, const std::string& text) {
+  if (said_[warning] != 0) return;
+  said_[warning] = 1;
   warn_(text);
+}
+
+void Guards::restore_warnings_given(const std::vector<std::uint8_t>& given) {
+  said_ = {};
+  std::copy_n(given.begin(), std::min(given.size(), said_.size()), said_.begin());
 }
 
 void Guards::check_particles(const EngineReport& report, double time) {
@@ -43,7 +52,7 @@ void Guards::check_particles(const EngineReport& report, double time) {
                           "The spring is too soft for these speeds or the step too long: raise models.contact.stiffness (the "
                           "overlap falls with its square root) or use time.dt: auto.");
   }
-  warn_once(said_overlap_, what + ": above 5 %. Raise models.contact.stiffness if that matters here.");
+  warn_once(k_overlap, what + ": above 5 %. Raise models.contact.stiffness if that matters here.");
 }
 
 void Guards::check_gas(const similitude_gas_report& report, const similitude_status& status, double time) {
@@ -60,13 +69,36 @@ void Guards::check_gas(const similitude_gas_report& report, const similitude_sta
                           fmt::format("Lower time.gas_dt by a factor {:.1f} or more.", report.courant / 0.5));
   }
   if (courant_limits_ && report.courant > k_courant_to_warn) {
-    warn_once(said_courant_, fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; beyond {} the run stops. "
+    warn_once(k_courant, fmt::format("the gas moves {:.2f} cells in one gas step (CFL) at t = {:.6g} s; beyond {} the run stops. "
                                          "Lower time.gas_dt if that matters here.",
                                          report.courant, time / ratios_.time, k_courant_to_stop));
   }
   if (report.mass_residual > k_mass_residual_to_warn) {
-    warn_once(said_mass_, fmt::format("gas mass balance is off by {:.2g} of the throughput in one step at t = {:.6g} s",
+    warn_once(k_mass, fmt::format("gas mass balance is off by {:.2g} of the throughput in one step at t = {:.6g} s",
                                       report.mass_residual, time / ratios_.time));
+  }
+}
+
+void Guards::check_balances(const Balances& balances, double time) {
+  const auto stop_at = [&](const char* what, double residual) {
+    if (residual <= k_rounding_to_stop) return;
+    throw SimulationError(fmt::format("the particles' {} and what they were given differ by {:.2g} of it at t = {:.6g} s: more than "
+                                      "rounding explains.",
+                                      what, residual, time / ratios_.time),
+                          "The program or one of the models in use is wrong: please report it with the case file.");
+  };
+  stop_at("momentum", balances.momentum);
+  stop_at("energy", balances.energy);
+  const auto drift = [&] {
+    return fmt::format("the gas in the bed and what flowed in and out differ by {:.2g} of the throughput at t = {:.6g} s", balances.gas_mass,
+                       time / ratios_.time);
+  };
+  if (!(balances.gas_mass <= k_gas_balance_to_stop)) {
+    throw SimulationError(drift() + fmt::format("; more than {} makes every gas flow doubtful.", k_gas_balance_to_stop),
+                          "Lower the gas solver's tolerance or time.gas_dt.");
+  }
+  if (balances.gas_mass > k_gas_balance_to_warn) {
+    warn_once(k_gas_balance, drift() + fmt::format("; beyond {} the run stops.", k_gas_balance_to_stop));
   }
 }
 

@@ -1,10 +1,14 @@
 #pragma once
 /// What stops a run, or warns, when the numbers leave the range in which they mean something.
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "coupling/coupling.h"
+#include "output/accounts.h"
 #include "particles/engine.h"
 #include "similarity/ratios.h"
 
@@ -21,14 +25,21 @@ class Guards {
   /// After the gas step.
   void check_gas(const similitude_gas_report& report, const similitude_status& status, double time);
   void check_gas_fraction(double smallest, std::array<double, 3> place, double time);
+  /// Now and then, after a whole step.
+  void check_balances(const Balances& balances, double time);
+
+  /// Which warnings were given, for checkpoints: each is given once in a run, however often it is resumed.
+  std::vector<std::uint8_t> warnings_given() const { return {said_.begin(), said_.end()}; }
+  void restore_warnings_given(const std::vector<std::uint8_t>& given);
 
  private:
-  void warn_once(bool& said, const std::string& text);
+  enum Warning : std::size_t { k_overlap, k_courant, k_mass, k_gas_balance, k_warnings };
+  void warn_once(Warning warning, const std::string& text);
 
   ResultRatios ratios_;
   std::function<void(const std::string&)> warn_;
   bool courant_limits_;
-  bool said_overlap_ = false, said_courant_ = false, said_mass_ = false;
+  std::array<std::uint8_t, k_warnings> said_{};
 };
 
 }  // namespace similitude

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "output/checkpoint_file.h"
 #include "output/manifest.h"
 #include "output/progress.h"
 #include "output/state_hash.h"
@@ -16,6 +17,8 @@
 #include "output/view_script.h"
 #include "particles/errors.h"
 #include "stepper/bed.h"
+#include "stepper/checkpoints.h"
+#include "stepper/resume.h"
 #include "stepper/run_outputs.h"
 #include "stepper/simulation.h"
 #include "stepper/stop_signal.h"
@@ -28,31 +31,48 @@ constexpr int k_exit_of_signal = 128;   // shells' convention: 128 + signal numb
 
 void warn(const std::string& text) { std::cerr << "warning: " << text << "\n"; }
 
+RunIdentity identity_of(const CaseFile& case_file, const Assembly& assembly, const TimeSteps& steps) {
+  RunIdentity run;
+  run.program_version = program_version();
+  run.resolved_case = case_file.resolved;
+  for (const PluginEntry& plugin : assembly.plugins) run.plugins.push_back(manifest_plugin(plugin));
+  run.dt = steps.dt;
+  run.sub_steps = steps.sub_steps;
+  return run;
+}
+
 Manifest first_manifest(const CaseFile& case_file, const Assembly& assembly, const RunOptions& options, int threads,
-                        std::size_t particles) {
+                        const RunIdentity& run) {
   Manifest manifest;
-  manifest.program_version = program_version();
+  manifest.program_version = run.program_version;
   manifest.command = options.command;
   manifest.case_file = case_file.scene.folder + "/" + case_file.scene.name + ".yaml";
-  for (const PluginEntry& plugin : assembly.plugins) manifest.plugins.push_back(manifest_plugin(plugin));
+  manifest.plugins = run.plugins;
   manifest.machine = this_machine();
   manifest.threads = threads;
   manifest.scaling = assembly.ratios;
   manifest.map_back = map_back(assembly);
-  manifest.particles = particles;
-  manifest.started = utc_now();
+  manifest.particles = run.particles;
+  manifest.started = run.started;
+  manifest.resumed = run.resumed;
   return manifest;
 }
 
-void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& steps, const FilledBed& filled,
-                 const Simulation& simulation, std::int64_t gas_steps) {
+/// How the run came by its particles.
+std::string origin_words(const RunIdentity& run, const FilledBed& filled) {
+  if (run.resumed.empty()) return filled.from_cache ? ", from the cache" : "";
+  return fmt::format(" at the start; going on at t = {:.6g} s from {}", run.resumed.back().simulated_s, run.resumed.back().checkpoint);
+}
+
+void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& steps, const RunIdentity& run,
+                 const std::string& origin, const Simulation& simulation, std::int64_t gas_steps) {
   const ResultRatios& to = assembly.results;
   out << assembly.real.title << "\n";
   out << fmt::format("  models      drag {}, contact {}, fluid {}, scaling {}\n", assembly.drag.descriptor().id,
                      assembly.contact.descriptor().id, assembly.fluid.descriptor().id, assembly.scaling.descriptor().id);
   out << fmt::format("  bed         {} simulated particles{}, level {:.4g} mm, solids fraction {:.3f}{}\n",
-                     simulation.particles().size(), assembly.ratios.diameter == assembly.ratios.length ? "" : " (scaled)",
-                     1e3 * filled.height / to.length, filled.solids_fraction, filled.from_cache ? ", from the cache" : "");
+                     run.particles, assembly.ratios.diameter == assembly.ratios.length ? "" : " (scaled)",
+                     1e3 * run.height / to.length, run.solids_fraction, origin);
   out << fmt::format("  time steps  {:.3g} s ({} per gas step), {} gas steps; limits:\n", steps.dt / to.time, steps.sub_steps,
                      gas_steps);
   for (const TimeStepLimit& limit : steps.limits) {
@@ -64,11 +84,164 @@ void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& s
   out << fmt::format("  memory      {} bytes per particle, before contact lists\n\n", simulation.particles().bytes_per_particle());
 }
 
-ProgressState progress_of(const Simulation& simulation, const Assembly& assembly, const RunOutputs& outputs) {
-  return {.time = simulation.time() / assembly.results.time,
-          .particle_steps = simulation.engine().report().particle_steps,
-          .particles = simulation.particles().size(),
-          .largest_overlap = outputs.largest_overlap_of_run()};
+/// Stage times of an earlier start and of this one, together.
+std::vector<StageTime> sum_of(const std::vector<StageTime>& before, const std::vector<StageTime>& now) {
+  std::vector<StageTime> sum = now;
+  for (const StageTime& old : before) {
+    const auto same = std::find_if(sum.begin(), sum.end(), [&](const StageTime& stage) { return stage.name == old.name; });
+    if (same != sum.end()) {
+      same->seconds += old.seconds;
+    } else {
+      sum.push_back(old);
+    }
+  }
+  return sum;
+}
+
+/// The time loop of a case with all that watches it.
+class CaseRun {
+ public:
+  /// `earlier` null: from the start.
+  CaseRun(const Assembly& assembly, Simulation& simulation, const OutputDirectory& directory, Manifest manifest, std::string resolved_case,
+          Checkpoints& checkpoints, const RunState* earlier)
+      : assembly_(assembly),
+        simulation_(simulation),
+        directory_(directory),
+        manifest_(std::move(manifest)),
+        resolved_case_(std::move(resolved_case)),
+        checkpoints_(checkpoints),
+        outputs_(earlier != nullptr ? RunOutputs(directory, assembly, earlier->outputs, simulation.time()) : RunOutputs(directory, assembly)),
+        particle_steps_before_(earlier != nullptr ? simulation.engine().report().particle_steps : 0) {
+    if (earlier != nullptr) {
+      wall_before_ = earlier->wall_s;
+      stages_before_ = earlier->stages;
+    } else {
+      outputs_.observe(simulation_);
+    }
+    write_manifest(directory_, manifest_, resolved_case_);
+  }
+
+  /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips.
+  void advance(std::int64_t gas_steps, double end) {
+    Progress progress(std::cerr, Progress::screen_of_standard_error(), end);
+    try {
+      while (simulation_.steps_done() < gas_steps && StopSignal::received() == 0) {
+        keep_a_copy();
+        simulation_.step();
+        outputs_.observe(simulation_);
+        progress.update(progress_state());
+      }
+    } catch (const SimulationError& error) {
+      const std::string where = go_back_to_the_last_good_step();
+      finish(progress, "stopped", 1, error.what());
+      throw SimulationError(error.what(), where);
+    }
+    if (checkpoints_.wanted()) write_checkpoint();
+    const int signal_number = StopSignal::received();
+    if (signal_number != 0) {
+      finish(progress, "interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
+    } else {
+      finish(progress, "done", 0, "reached the end time");
+    }
+  }
+
+  const RunOutputs& outputs() const { return outputs_; }
+  const std::string& hash() const { return manifest_.state_hash; }
+
+ private:
+  double wall() const {
+    return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  std::vector<StageTime> stages() const {
+    std::vector<StageTime> now = simulation_.stage_times();
+    now.push_back({"checkpoints", snapshots_.seconds()});
+    return sum_of(stages_before_, now);
+  }
+
+  void take_a_copy() {
+    snapshots_.take([this](RunState& state) {
+      simulation_.save(state.simulation);
+      outputs_.save(state.outputs);
+      state.wall_s = wall();
+      state.stages = stages();
+    });
+  }
+
+  void keep_a_copy() {
+    const bool file = checkpoints_.due();
+    if (!file && !snapshots_.due()) return;
+    take_a_copy();
+    if (file) checkpoints_.write_behind(snapshots_.last());
+  }
+
+  bool write_checkpoint() {
+    take_a_copy();
+    return checkpoints_.write(*snapshots_.last());
+  }
+
+  /// A guard trips in the middle of a step, when the state is spoilt already. The step before is found again by going on from
+  /// the last copy. In words: where it is.
+  std::string go_back_to_the_last_good_step() {
+    const std::int64_t last_good = simulation_.steps_done();
+    try {
+      if (snapshots_.last()) simulation_.replay(snapshots_.last()->simulation, last_good);
+    } catch (const std::exception&) {   // not the same bits a second time: nothing to trust, nothing to keep
+      const std::filesystem::path newest = checkpoints_.newest();
+      return newest.empty() ? "" : "The newest checkpoint is " + newest.string() + ".";
+    }
+    const bool written = checkpoints_.wanted() && write_checkpoint();
+    std::string where = fmt::format("The last good state, at t = {:.6g} s,", simulation_.time() / assembly_.results.time);
+    if (assembly_.model.output.vtk_every > 0) {
+      where += " is the last frame of " + directory_.file("particles.pvd").string() + " and " + directory_.file("fluid.pvd").string();
+      if (written) where += ", and " + checkpoints_.newest().string();
+    } else if (written) {
+      where += " is " + checkpoints_.newest().string();
+    } else {
+      return "";
+    }
+    return where + ".";
+  }
+
+  ProgressState progress_state() const {
+    return {.time = simulation_.time() / assembly_.results.time,
+            .particle_steps = simulation_.engine().report().particle_steps - particle_steps_before_,
+            .particles = simulation_.particles().size(),
+            .largest_overlap = outputs_.largest_overlap_of_run()};
+  }
+
+  void finish(Progress& progress, const std::string& status, int exit_status, const std::string& reason) {
+    outputs_.finish(simulation_);
+    progress.finish(progress_state());
+    write_timing(directory_, {.wall_s = wall(),
+                              .simulated_s = simulation_.time() / assembly_.results.time,
+                              .particle_steps = simulation_.engine().report().particle_steps,
+                              .stages = stages()});
+    manifest_.ended = utc_now();
+    manifest_.status = status;
+    manifest_.exit_status = exit_status;
+    manifest_.exit_reason = reason;
+    manifest_.simulated_s = simulation_.time() / assembly_.results.time;
+    manifest_.state_hash = state_hash(simulation_.particles(), &simulation_.gas(), &simulation_.exchange().gas_fraction);
+    write_manifest(directory_, manifest_, resolved_case_);
+  }
+
+  const Assembly& assembly_;
+  Simulation& simulation_;
+  const OutputDirectory& directory_;
+  Manifest manifest_;
+  std::string resolved_case_;
+  Checkpoints& checkpoints_;
+  RunOutputs outputs_;
+  Snapshots snapshots_;
+  std::uint64_t particle_steps_before_;
+  double wall_before_ = 0;                  // [s], of earlier starts
+  std::vector<StageTime> stages_before_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::filesystem::path folder_of(const CaseFile& case_file, const RunOptions& options) {
+  return options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
 }
 
 }  // namespace
@@ -82,71 +255,66 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);
-  const std::filesystem::path folder =
-      options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
-  const OutputDirectory directory(folder, options.force);
+  const std::filesystem::path folder = folder_of(case_file, options);
+  const OutputDirectory directory =
+      options.resume ? OutputDirectory::of_earlier_run(folder) : OutputDirectory(folder, options.force);
 
   const StopSignal stop_signal;
-  StartingBed bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
-    if (stage == said) return;
-    said = stage;
-    std::cerr << stage << " …\n";
-  });
+  RunIdentity run = identity_of(case_file, assembly, steps);
+  std::optional<EarlierRun> earlier;
+  StartingBed bed{.particles = ParticleStore(store_fields(assembly)), .filled = {}};
+  if (options.resume) {
+    earlier = newest_checkpoint(directory, warn);
+    const Checkpoint& checkpoint = earlier->checkpoint;
+    refuse_another_run(checkpoint.run, run);
+    run = checkpoint.run;
+    run.program_version = program_version();
+    run.resolved_case = case_file.resolved;
+    run.resumed.push_back({.checkpoint = earlier->files.front().string(),
+                           .simulated_s = static_cast<double>(checkpoint.state.simulation.steps_done) * steps.gas_dt() / assembly.results.time,
+                           .started = utc_now(),
+                           .command = options.command,
+                           .threads = threads});
+    bed.particles.copy_rows(checkpoint.state.simulation.particles);
+  } else {
+    bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
+      if (stage == said) return;
+      said = stage;
+      std::cerr << stage << " …\n";
+    });
+    run.started = utc_now();
+    run.particles = bed.particles.size();
+    run.solids_fraction = bed.filled.solids_fraction;
+    run.height = bed.filled.height;
+  }
 
-  const double end = options.until ? std::min(*options.until, case_file.scene.time.end) : case_file.scene.time.end;
+  const double end = options.until.value_or(case_file.scene.time.end);
   const auto gas_steps =
       static_cast<std::int64_t>(std::ceil(end * assembly.results.time / steps.gas_dt() * (1 - 1e-12)));
 
   Simulation simulation(assembly, steps, std::move(bed.particles), warn);
-  print_start(out, assembly, steps, bed.filled, simulation, gas_steps);
+  if (earlier) simulation.restore(earlier->checkpoint.state.simulation);
+  print_start(out, assembly, steps, run, origin_words(run, bed.filled), simulation, gas_steps);
   out.flush();
 
-  Manifest manifest = first_manifest(case_file, assembly, options, threads, simulation.particles().size());
-  write_manifest(directory, manifest, case_file.resolved);
   write_view_script(directory, assembly.real);
-  RunOutputs outputs(directory, assembly);
-  Progress progress(std::cerr, Progress::screen_of_standard_error(), end);
-  const auto start = std::chrono::steady_clock::now();
+  Checkpoints checkpoints(directory, assembly.model.output.checkpoint_every, run, earlier ? earlier->files : std::deque<std::filesystem::path>{},
+                          warn);
+  CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), case_file.resolved,
+                   checkpoints, earlier ? &earlier->checkpoint.state : nullptr);
+  earlier.reset();
+  case_run.advance(gas_steps, end);
 
-  const auto finish = [&](const std::string& status, int exit_status, const std::string& reason) {
-    outputs.finish(simulation);
-    progress.finish(progress_of(simulation, assembly, outputs));
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_timing(directory, {.wall_s = wall,
-                             .simulated_s = simulation.time() / assembly.results.time,
-                             .particle_steps = simulation.engine().report().particle_steps,
-                             .stages = simulation.stage_times()});
-    manifest.ended = utc_now();
-    manifest.status = status;
-    manifest.exit_status = exit_status;
-    manifest.exit_reason = reason;
-    manifest.simulated_s = simulation.time() / assembly.results.time;
-    manifest.state_hash = state_hash(simulation.particles(), &simulation.gas(), &simulation.exchange().gas_fraction);
-    write_manifest(directory, manifest, case_file.resolved);
-  };
-
-  try {
-    outputs.observe(simulation);
-    while (simulation.steps_done() < gas_steps && StopSignal::received() == 0) {
-      simulation.step();
-      outputs.observe(simulation);
-      progress.update(progress_of(simulation, assembly, outputs));
-    }
-  } catch (const SimulationError& error) {
-    finish("stopped", 1, error.what());
-    throw;
-  }
-
+  const std::filesystem::path newest = checkpoints.newest();
+  const std::string go_on = newest.empty() ? "" : fmt::format("checkpoint {} (go on with --resume)\n", newest.string());
   const int signal_number = StopSignal::received();
   if (signal_number != 0) {
-    finish("interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
-    out << fmt::format("\ninterrupted at t = {:.6g} s; results so far are in {}\n",
-                       simulation.time() / assembly.results.time, directory.path().string());
+    out << fmt::format("\ninterrupted at t = {:.6g} s; results so far are in {}\n{}",
+                       simulation.time() / assembly.results.time, directory.path().string(), go_on);
     return k_exit_of_signal + signal_number;
   }
-  finish("done", 0, "reached the end time");
-  if (!outputs.profiles().settings().heights.empty()) out << "\n" << profile_table(outputs.profiles());
-  out << fmt::format("\nresults in {}\nstate {}\n", directory.path().string(), manifest.state_hash);
+  if (!case_run.outputs().profiles().settings().heights.empty()) out << "\n" << profile_table(case_run.outputs().profiles());
+  out << fmt::format("\nresults in {}\n{}state {}\n", directory.path().string(), go_on, case_run.hash());
   return 0;
 }
 

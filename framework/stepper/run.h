@@ -14,6 +14,7 @@ namespace similitude {
 struct RunOptions {
   std::filesystem::path folder;           // empty: results/<case name>
   bool force = false;
+  bool resume = false;                    // go on from the newest checkpoint in the folder
   std::optional<double> until;            // [s] of the real bed: stop there instead of at time.end
   int threads = 0;                        // 0: as many as the machine has cores
   std::string command;                    // as typed, for the manifest

@@ -25,23 +25,50 @@ bool Schedule::due(double time) {
   return true;
 }
 
-RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly)
+RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state)
     : directory_(directory),
       assembly_(assembly),
       map_back_(map_back(assembly)),
-      monitors_(directory),
+      vtk_(directory, map_back_, class_names(assembly.real)),
+      monitors_(state != nullptr ? MonitorFile(directory, state->monitors_length) : MonitorFile(directory)),
       profiles_(profile_settings(assembly.real), map_back_),
       vtk_schedule_(assembly.model.output.vtk_every, 0),
       monitor_schedule_(assembly.model.output.monitor_every, 0),
       profile_schedule_(k_profile_interval * assembly.results.time, assembly.model.output.profiles.from) {
   const std::vector<Probe>& probes = assembly.model.output.probes;
-  if (!probes.empty()) probes_.emplace(directory, probes, *assembly.grid, map_back_);
-  if (assembly.model.output.vtk_every > 0) vtk_.emplace(directory, map_back_, class_names(assembly.real));
+  if (probes.empty()) return;
+  if (state != nullptr && state->probes_length > 0) {
+    probes_.emplace(directory, probes, *assembly.grid, map_back_, state->probes_length);
+  } else {
+    probes_.emplace(directory, probes, *assembly.grid, map_back_);
+  }
+}
+
+RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly) : RunOutputs(directory, assembly, nullptr) {}
+
+RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState& state, double time)
+    : RunOutputs(directory, assembly, &state) {
+  vtk_.go_on_after(state.frames);
+  profiles_.restore(state.profiles);
+  for (Schedule* schedule : {&vtk_schedule_, &monitor_schedule_, &profile_schedule_}) schedule->pass(time);
+  last_frame_time_ = state.last_frame_time;
+  largest_overlap_ = state.largest_overlap;
+  largest_overlap_of_run_ = state.largest_overlap_of_run;
+}
+
+void RunOutputs::save(OutputsState& state) const {
+  state.frames = vtk_.frames();
+  state.last_frame_time = last_frame_time_;
+  state.monitors_length = monitors_.length();
+  state.probes_length = probes_ ? probes_->length() : 0;
+  state.largest_overlap = largest_overlap_;
+  state.largest_overlap_of_run = largest_overlap_of_run_;
+  state.profiles = profiles_.state();
 }
 
 void RunOutputs::write_frame(const Simulation& simulation) {
-  vtk_->particles(simulation.particles(), simulation.time());
-  vtk_->fluid(*assembly_.grid, simulation.gas(), simulation.exchange().gas_fraction, simulation.time());
+  vtk_.particles(simulation.particles(), simulation.time());
+  vtk_.fluid(*assembly_.grid, simulation.gas(), simulation.exchange().gas_fraction, simulation.time());
   last_frame_time_ = simulation.time();
 }
 
@@ -71,11 +98,11 @@ void RunOutputs::observe(const Simulation& simulation) {
     profiles_.sample(*assembly_.grid, simulation.exchange().gas_fraction, simulation.time());
   }
   if (monitor_schedule_.due(simulation.time())) write_monitors(simulation);
-  if (vtk_ && vtk_schedule_.due(simulation.time())) write_frame(simulation);
+  if (vtk_schedule_.due(simulation.time())) write_frame(simulation);
 }
 
 void RunOutputs::finish(const Simulation& simulation) {
-  if (vtk_ && last_frame_time_ < simulation.time()) write_frame(simulation);
+  if (draws() && last_frame_time_ < simulation.time()) write_frame(simulation);
   if (!profiles_.settings().heights.empty()) write_profiles(directory_, profiles_.rows());
 }
 

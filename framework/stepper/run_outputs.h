@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "output/directory.h"
@@ -11,6 +10,7 @@
 #include "output/monitors.h"
 #include "output/probes.h"
 #include "output/profiles.h"
+#include "output/run_state.h"
 #include "output/vtk_writer.h"
 #include "stepper/simulation.h"
 
@@ -23,6 +23,8 @@ class Schedule {
   Schedule(double every, double from) : every_(every), from_(from) {}
   /// Is a multiple of the interval reached that was not served yet? Serves all up to `time`.
   bool due(double time);
+  /// Nothing up to `time` is due any more: it was served before a restart.
+  void pass(double time) { due(time); }
 
  private:
   double every_, from_;
@@ -32,6 +34,9 @@ class Schedule {
 class RunOutputs {
  public:
   RunOutputs(const OutputDirectory& directory, const Assembly& assembly);
+  /// Goes on where the files of an earlier run were at `time` [s, simulated]; what they hold beyond is cut off.
+  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState& state, double time);
+  void save(OutputsState& state) const;
 
   /// Before the first step and after every step.
   void observe(const Simulation& simulation);
@@ -39,16 +44,21 @@ class RunOutputs {
   void finish(const Simulation& simulation);
 
   const ProfileSampler& profiles() const { return profiles_; }
+  /// Does the last frame show this instant [s, simulated]?
+  bool shows(double time) const { return draws() && last_frame_time_ == time; }
   double largest_overlap_of_run() const { return largest_overlap_of_run_; }
 
  private:
   void write_frame(const Simulation& simulation);
   void write_monitors(const Simulation& simulation);
 
+  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state);
+  bool draws() const { return assembly_.model.output.vtk_every > 0; }
+
   const OutputDirectory& directory_;
   const Assembly& assembly_;
   MapBack map_back_;
-  std::optional<VtkWriter> vtk_;
+  VtkWriter vtk_;
   MonitorFile monitors_;
   std::optional<ProbeFile> probes_;
   ProfileSampler profiles_;

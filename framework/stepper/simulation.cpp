@@ -1,9 +1,12 @@
 #include "stepper/simulation.h"
 
 #include <chrono>
+#include <stdexcept>
 
 namespace similitude {
 namespace {
+
+constexpr std::int64_t k_steps_between_balances = 100;   // sums over all rows: a fraction of a percent of a step's cost
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -89,6 +92,9 @@ void Simulation::assemble_stages() {
     stages_.push_back({"settle accounts", [this] { coupling_->settle_accounts(particles_); }});
   }
   stages_.push_back({"guard: overlap", [this] { guards_.check_particles(engine_->report(), time() + steps_.gas_dt()); }});
+  stages_.push_back({"guard: balances", [this] {
+                       if ((steps_done_ + 1) % k_steps_between_balances == 0) guards_.check_balances(balances(), time() + steps_.gas_dt());
+                     }});
 }
 
 void Simulation::step() {
@@ -98,6 +104,50 @@ void Simulation::step() {
     stage.seconds += seconds_since(start);
   }
   ++steps_done_;
+}
+
+void Simulation::save(SimulationState& state) const {
+  state.steps_done = steps_done_;
+  state.particles.copy_rows(particles_);
+  engine_->save(state.engine);
+  state.gas = gas_;
+  coupling_->save(state.coupling);
+  state.gas_report = gas_report_;
+  const auto& functions = assembly_.fluid.functions();
+  state.fluid.clear();
+  if (functions.state_size != nullptr) {
+    state.fluid.resize(functions.state_size(assembly_.fluid.instance()));
+    functions.save_state(assembly_.fluid.instance(), state.fluid.data());
+  }
+  state.accounts = accounts_.state();
+  state.warnings_given = guards_.warnings_given();
+}
+
+void Simulation::restore(const SimulationState& state) {
+  const auto& functions = assembly_.fluid.functions();
+  const std::size_t size = functions.state_size != nullptr ? functions.state_size(assembly_.fluid.instance()) : 0;
+  if (state.fluid.size() != size) throw std::invalid_argument("the gas solver remembers another number of values");
+  if (state.gas.pressure.size() != assembly_.grid->cell_count()) throw std::invalid_argument("the gas has another number of cells");
+  if (state.particles.fields.rotation != particles_.fields.rotation || state.particles.fields.coupling != particles_.fields.coupling) {
+    throw std::invalid_argument("the particles have other columns");
+  }
+  steps_done_ = state.steps_done;
+  particles_.copy_rows(state.particles);
+  engine_->restore(state.engine);
+  gas_ = state.gas;
+  coupling_->restore(state.coupling);
+  gas_report_ = state.gas_report;
+  gas_report_.struct_size = sizeof(gas_report_);
+  if (size > 0) functions.load_state(assembly_.fluid.instance(), state.fluid.data());
+  accounts_ = Accounts(state.accounts);
+  guards_.restore_warnings_given(state.warnings_given);
+}
+
+void Simulation::replay(const SimulationState& state, std::int64_t steps_done) {
+  const std::vector<std::uint8_t> given = guards_.warnings_given();
+  restore(state);
+  guards_.restore_warnings_given(given);
+  while (steps_done_ < steps_done) step();
 }
 
 double Simulation::gas_mass() const {

@@ -11,6 +11,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_pass.h"
 #include "output/accounts.h"
+#include "output/run_state.h"
 #include "particles/engine.h"
 #include "stepper/assembly.h"
 #include "stepper/guards.h"
@@ -34,6 +35,15 @@ class Simulation {
 
   /// One gas step and its sub-steps. Throws SimulationError when a guard trips.
   void step();
+
+  /// Between two steps. A simulation of the same assembly and steps that restores the state goes on with the same bits, for
+  /// any number of threads. [main]
+  void save(SimulationState& state) const;
+  /// Throws std::invalid_argument if the state is not one of this assembly.
+  void restore(const SimulationState& state);
+  /// Back to a state of this very run and forward again to the end of step `steps_done`, as after a step that failed in its
+  /// middle. Warnings are not repeated.
+  void replay(const SimulationState& state, std::int64_t steps_done);
 
   std::int64_t steps_done() const { return steps_done_; }
   double time() const { return static_cast<double>(steps_done_) * steps_.gas_dt(); }   // [s], simulated bed

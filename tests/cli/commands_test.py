@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -41,11 +42,28 @@ class Run(CommandTest):
 
     def test_gives_the_same_state_for_any_number_of_threads_and_any_output(self):
         hashes = set()
-        for threads, vtk in (("1", "every 5 ms"), ("2", "every 1 ms"), ("3", "none")):
+        for threads, vtk in (("1", "every 5 ms"), ("2", "every 1 ms"), ("3", "none"), ("4", "every 5 ms")):
             case = self.write(SMALL.replace("vtk: every 5 ms", "vtk: " + vtk))
             done = self.command("run", case, "-o", "out" + threads, "--threads", threads)
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(self.path(f"out{threads}/manifest.json"), encoding="utf-8") as file:
+                hashes.add(json.load(file)["state_hash"])
+        self.assertEqual(len(hashes), 1)
+
+    def test_gives_the_same_state_whatever_is_sampled_and_wherever_plugins_are_found(self):
+        plugins = os.path.join(os.path.dirname(os.path.dirname(SIMILITUDE)), "lib", "similitude", "plugins")
+        os.mkdir(self.path("near"))
+        for name in ("fluid_vans.so", "drag_gidaspow.so"):
+            shutil.copy(os.path.join(plugins, name), self.path("near"))
+        hashes = set()
+        for folder, text, environment in (
+                ("sampled", SMALL, {}),
+                ("unsampled", SMALL.replace(", profiles: {z: [5 mm], from: 2 ms}", "").replace("monitors: every 1 ms", "monitors: every 1 s"), {}),
+                ("from_the_environment", SMALL, {"SIMILITUDE_PLUGIN_PATH": self.path("near")}),
+                ("from_the_case", "plugin_paths: [near]\n" + SMALL, {"SIMILITUDE_PLUGIN_PATH": plugins})):
+            done = self.command("run", self.write(text), "-o", folder, **environment)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(self.path(folder + "/manifest.json"), encoding="utf-8") as file:
                 hashes.add(json.load(file)["state_hash"])
         self.assertEqual(len(hashes), 1)
 

@@ -29,6 +29,16 @@ TEST(OutputDirectory, RefusesAnEarlierRunAndSaysWhatToType) {
   EXPECT_EQ(text_of(folder / "manifest.json"), "{}");
 }
 
+TEST(OutputDirectory, RefusesAnEarlierRunThatCouldGoOnAndSaysHow) {
+  const ScratchFolder folder;
+  write_whole_file(folder / "manifest.json", "{}");
+  std::filesystem::create_directory(folder / "checkpoints");
+  EXPECT_EQ(message_of<InputError>([&] { OutputDirectory(folder.path(), false); }),
+            folder.path().string() +
+                " holds an earlier run (manifest.json).\n"
+                "  Give another folder with -o, --resume to go on with that run, or --force to replace that run.");
+}
+
 TEST(OutputDirectory, TakesAFolderThatHoldsOnlyOtherFiles) {
   const ScratchFolder folder;
   write_whole_file(folder / "case.yaml", "similitude: 1");

@@ -7,7 +7,10 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <omp.h>
 
+#include "output/checkpoint_file.h"
+#include "output/state_hash.h"
 #include "small_bed.h"
 
 // A user mixes models freely. In these runs of a small bed every pair of (drag, contact, fluid, scaling) that is installed occurs,
@@ -173,6 +176,33 @@ TEST_P(AllPairs, RunTogetherAndKeepTheirBooks) {
   // What lifts the particles is the pressure under them, known at the floor to a part of half a cell of seven.
   EXPECT_NEAR(lift.received, lift.pressure, 0.04 * lift.pressure);
   fmt::print("{} particles, lift {:.4f} of the pressure's\n", particles, lift.received / lift.pressure);
+}
+
+// Through the file, into models made anew and with more threads: the same bits as without a break.
+TEST_P(AllPairs, GoOnFromACheckpointWithTheSameBits) {
+  constexpr int k_before = 40, k_after = 40;   // gas steps
+  const auto whole = small_bed(bed_case(GetParam())), broken = small_bed(bed_case(GetParam())), resumed = small_bed(bed_case(GetParam()));
+  for (int n = 0; n < k_before + k_after; ++n) whole->simulation->step();
+  for (int n = 0; n < k_before; ++n) broken->simulation->step();
+  const auto file = std::filesystem::temp_directory_path() / fmt::format("similitude_pairs_{}.h5", ::getpid());
+  RunState state;
+  broken->simulation->save(state.simulation);
+  EXPECT_FALSE(state.simulation.engine.touching.place.empty());   // or contacts would not be tested
+  RunIdentity run;
+  run.resolved_case = "{}";
+  write_checkpoint(file, run, state);
+  const Checkpoint read = read_checkpoint(file);
+  std::filesystem::remove(file);
+  resumed->simulation->restore(read.state.simulation);
+
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(2);
+  for (int n = 0; n < k_after; ++n) resumed->simulation->step();
+  omp_set_num_threads(threads);
+  const auto hash = [](const Simulation& s) { return state_hash(s.particles(), &s.gas(), &s.exchange().gas_fraction); };
+  EXPECT_EQ(hash(*resumed->simulation), hash(*whole->simulation));
+  EXPECT_EQ(resumed->simulation->balances().momentum, whole->simulation->balances().momentum);
+  EXPECT_EQ(resumed->simulation->momentum(), whole->simulation->momentum());
 }
 
 }  // namespace similitude::test
