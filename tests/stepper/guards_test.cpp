@@ -26,7 +26,7 @@ std::string message_of(Work&& work) {
 TEST(Guards, ParticlesWhoseMomentumCameFromNowhereStopTheRun) {
   Watched watched;
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.momentum = 2e-6}, 0.5); }),
-            "the particles' momentum and what they were given differ by 2e-09 of it at t = 0.5 s: more than rounding explains.\n"
+            "the particles' momentum and what they were given differ by 2e-06 of it at t = 0.5 s: more than rounding explains.\n"
             "  The program or one of the models in use is wrong: please report it with the case file.");
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.momentum = 9e-7}, 0.5); }), "no error");
 }
