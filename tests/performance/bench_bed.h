@@ -41,12 +41,11 @@ inline ModelScene box_around(const ParticleStore& bed) {
   return scene;
 }
 
-/// A model of the compiled-in plugin, with values by name and defaults for the rest.
-inline ContactModel contact_law(double stiffness, double restitution, double friction) {
-  const similitude_descriptor& plugin = *similitude_plugin.descriptors[0];
+/// A model of a plugin that is compiled in, with values by name and defaults for the rest.
+template <class Functions>
+Model<Functions> model_of(const similitude_entry& entry, const std::map<std::string, double>& given) {
+  const similitude_descriptor& plugin = *entry.descriptors[0];
   std::vector<similitude_value> values;
-  const std::map<std::string, double> given{{"stiffness", stiffness}, {"restitution", restitution}, {"friction", friction},
-                                            {"attraction", 1}};
   for (std::uint32_t p = 0; p < plugin.parameter_count; ++p) {
     const auto it = given.find(plugin.parameters[p].name);
     values.push_back({it == given.end() ? plugin.parameters[p].default_value : it->second, nullptr});
@@ -61,7 +60,12 @@ inline ContactModel contact_law(double stiffness, double restitution, double fri
     std::fprintf(stderr, "%s\n", status.text);
     std::exit(2);
   }
-  return ContactModel(plugin, instance);
+  return Model<Functions>(plugin, instance);
+}
+
+inline ContactModel contact_law(double stiffness, double restitution, double friction) {
+  return model_of<similitude_contact_functions>(
+      similitude_plugin, {{"stiffness", stiffness}, {"restitution", restitution}, {"friction", friction}, {"attraction", 1}});
 }
 
 inline EngineOptions options(double dt, double damping = 0, double skin = 0) {
@@ -80,11 +84,10 @@ inline double scatter() {
   return static_cast<double>(state >> 11) / 4503599627370496.0 - 1;
 }
 
-inline ParticleStore empty_bed() { return ParticleStore({.rotation = true, .coupling = false}); }
+inline ParticleStore empty_bed(bool coupling = false) { return ParticleStore({.rotation = true, .coupling = coupling}); }
 
 /// A cubic lattice from the floor up, as many columns as stand in the box.
-inline ParticleStore lattice(std::size_t count, double pitch, double jitter) {
-  ParticleStore bed = empty_bed();
+inline ParticleStore lattice(std::size_t count, double pitch, double jitter, ParticleStore bed = empty_bed()) {
   const auto nx = static_cast<std::size_t>((k_wide - 0.1 * k_diameter) / pitch);
   const auto ny = static_cast<std::size_t>((k_deep - 0.1 * k_diameter) / pitch);
   for (std::size_t n = 0; n < count; ++n) {
@@ -94,6 +97,12 @@ inline ParticleStore lattice(std::size_t count, double pitch, double jitter) {
             (layer + 0.5) * pitch + jitter * scatter(), 0.5 * k_diameter, k_mass);
   }
   return bed;
+}
+
+/// As many contacts as in a settled bed (4.3 per particle) without settling one: overlaps of some 1e-4 diameters, so that
+/// nothing moves far in the short time of a measurement.
+inline ParticleStore resting_lattice(std::size_t count, bool coupling = false) {
+  return lattice(count, (1 - 0.5e-4) * k_diameter, 1e-4 * k_diameter, empty_bed(coupling));
 }
 
 }  // namespace similitude::bench
