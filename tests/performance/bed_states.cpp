@@ -124,7 +124,7 @@ ParticleStore piled_bed(const ParticleStore& settled, int copies, std::size_t co
   places.resize(std::min(places.size(), count));
   ParticleStore bed = empty_bed();
   for (std::size_t n = 0; n < places.size(); ++n) bed.add(n, 0, places[n].x, places[n].y, places[n].z, places[n].w, k_mass);
-  settle(bed, 0.01, 4'000);
+  settle(bed, 0.01, 8'000);
   return bed;
 }
 
