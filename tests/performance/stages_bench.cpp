@@ -1,0 +1,183 @@
+/// What the stages of a step cost, each alone: lists, contacts, interpolation, deposit, smoothing, pressure. One thread unless
+/// OMP_NUM_THREADS says otherwise (the contact pass always one).
+///
+///   stages_bench [--benchmark_filter=…] [--benchmark_format=json] …   (Google Benchmark's options)
+///
+/// Counters: seconds per particle or per cell; the pressure solve also tells its iterations, which do not depend on the mesh.
+
+#include <benchmark/benchmark.h>
+
+#include <memory>
+#include <random>
+
+#include "bench_bed.h"
+#include "boxes.h"
+#include "coupling/deposit.h"
+#include "coupling/smoothing.h"
+#include "fluid/grid.h"
+#include "fluid/multigrid_cg.h"
+#include "particles/carried_history.h"
+#include "particles/contact_pass.h"
+
+namespace {
+using namespace similitude;
+using namespace similitude::bench;
+
+constexpr double k_skin = 0.1 * k_diameter, k_cell = 2.5e-3;   // [m]
+
+void per_item(benchmark::State& state, const char* name, std::size_t items) {
+  state.counters[name] =
+      benchmark::Counter(static_cast<double>(items), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// A settled bed's number of contacts, its rows sorted and its lists built, as the engine holds them.
+struct ListedBed {
+  explicit ListedBed(std::size_t count)
+      : bed(resting_lattice(count)), scene(box_around(bed)), law(contact_law(k_stiffness, k_restitution, k_friction)), surfaces(scene),
+        needs(needs_of(law)), lists((needs.history_count + 3) / 4, false), carried(needs),
+        contacts(bed, law, 1, surfaces, bricks, lists), columns(1) {
+    bricks.lay_out(scene.size, scene.periodic, k_diameter + k_skin);
+    bricks.sort(bed, std::vector<std::uint8_t>(count, 0));
+    bed.reorder(bricks.order());
+    build();
+    contacts.make_room();
+    pass();
+  }
+  static similitude_contact_needs needs_of(const ContactModel& law) {
+    similitude_contact_needs needs{};
+    needs.struct_size = sizeof needs;
+    law.functions().needs(law.instance(), &needs);
+    return needs;
+  }
+  void build() { lists.build(bed, bricks, surfaces, k_skin, 0.5 * k_diameter, carried); }
+  std::size_t pass() {
+    std::size_t touching = 0;
+    for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) touching += contacts.pairs(brick, k_dt, columns[0], deepest, complaint);
+    for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) contacts.collect_shares(brick);
+    return touching;
+  }
+
+  ParticleStore bed;
+  ModelScene scene;
+  ContactModel law;
+  Surfaces surfaces;
+  similitude_contact_needs needs;
+  Bricks bricks;
+  ContactLists lists;
+  CarriedHistory carried;
+  ContactPass contacts;
+  Column<BlockColumns> columns;
+  DeepestContact deepest;
+  LawComplaint complaint;
+};
+
+/// Sorting, carrying the history over, searching: all that a rebuild does but moving the rows.
+void list_build(benchmark::State& state) {
+  ListedBed listed(static_cast<std::size_t>(state.range(0)));
+  const std::size_t count = listed.bed.size();
+  const std::vector<std::uint8_t> nobody_leaves(count, 0);
+  std::vector<std::uint32_t> same_rows(count);
+  for (std::uint32_t row = 0; row < count; ++row) same_rows[row] = row;
+  for (auto _ : state) {
+    listed.bricks.sort(listed.bed, nobody_leaves);
+    listed.carried.collect(listed.lists, same_rows, count);
+    listed.build();
+  }
+  per_item(state, "per_particle", count);
+}
+
+void contact_pass(benchmark::State& state) {
+  ListedBed listed(static_cast<std::size_t>(state.range(0)));
+  std::size_t touching = 0;
+  for (auto _ : state) touching = listed.pass();
+  per_item(state, "per_particle", listed.bed.size());
+  per_item(state, "per_contact", touching);
+  state.counters["contacts_per_particle"] = static_cast<double>(touching) / static_cast<double>(listed.bed.size());
+}
+
+/// A bed in cells of 2.5 particle diameters.
+struct CellBed {
+  explicit CellBed(std::size_t count) : bed(resting_lattice(count)), scene(cells_around(bed)), grid(scene), map(grid), field(map.cell_count()) {
+    for (std::size_t c = 0; c < field.size(); ++c) field[c] = {scatter(), scatter(), scatter(), scatter()};
+  }
+  static ModelScene cells_around(const ParticleStore& bed) {
+    ModelScene scene = box_around(bed);
+    scene.size[2] = std::ceil(scene.size[2] / k_cell) * k_cell;
+    scene.cell = {k_cell, k_cell, k_cell};
+    return scene;
+  }
+  ParticleStore bed;
+  ModelScene scene;
+  Grid grid;
+  CellMap map;
+  CellRows field;
+};
+
+void interpolation(benchmark::State& state) {
+  const CellBed cells(static_cast<std::size_t>(state.range(0)));
+  for (auto _ : state) {
+    for (const Row& position : cells.bed.position) benchmark::DoNotOptimize(gather(cells.map.stencil(position), cells.field));
+  }
+  per_item(state, "per_particle", cells.bed.size());
+}
+
+void deposit(benchmark::State& state) {
+  CellBed cells(static_cast<std::size_t>(state.range(0)));
+  Deposit to_cells(cells.map);
+  for (auto _ : state) {
+    to_cells.sort(cells.bed.position);
+    to_cells.spread(cells.bed.position, [&](std::size_t row) { return cells.bed.velocity[row]; }, cells.field);
+    benchmark::ClobberMemory();
+  }
+  per_item(state, "per_particle", cells.bed.size());
+}
+
+/// Over three particle diameters, the default.
+void smoothing(benchmark::State& state) {
+  CellBed cells(static_cast<std::size_t>(state.range(0)));
+  Smoothing smooth(cells.map, 3 * k_diameter);
+  for (auto _ : state) {
+    smooth.apply(cells.field);
+    benchmark::ClobberMemory();
+  }
+  per_item(state, "per_cell", cells.map.cell_count());
+  state.counters["steps"] = smooth.steps();
+}
+
+/// A bed that passes a hundredth of what open gas does, in the lower half; an outlet on top; noise on the right-hand side.
+void pressure_solve(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  test::Box box({.cells = {n, n, n}});
+  box.set_side(2, 1, box.pressure_patch("outlet", 0));
+  const Staggered mesh = box.mesh();
+  std::array<std::vector<double>, 3> coefficient;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto layer = mesh.face_extent[axis][0] * mesh.face_extent[axis][1];
+    for (Index face = 0; face < mesh.face_count[axis]; ++face) coefficient[axis].push_back(face / layer < n / 2 ? 0.01 : 1.0);
+  }
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> both(-1, 1);
+  std::vector<double> rhs(static_cast<std::size_t>(mesh.cell_count)), pressure(rhs.size());
+  for (double& value : rhs) value = both(random);
+  MultigridCG solver(box.table());
+  SolveReport report;
+  for (auto _ : state) {
+    solver.set_coefficients({coefficient[0].data(), coefficient[1].data(), coefficient[2].data()});
+    std::fill(pressure.begin(), pressure.end(), 0);
+    report = solver.solve(rhs.data(), pressure.data(), {.tolerance = 1e-8});
+  }
+  if (!report.converged) state.SkipWithError("the pressure equation did not converge");
+  per_item(state, "per_cell", rhs.size());
+  state.counters["cells"] = static_cast<double>(rhs.size());
+  state.counters["iterations"] = report.iterations;
+}
+
+}  // namespace
+
+BENCHMARK(list_build)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(contact_pass)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(interpolation)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(deposit)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(smoothing)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
+BENCHMARK(pressure_solve)->Arg(22)->Arg(46)->Arg(80)->Arg(126)->Unit(benchmark::kMillisecond);   // 1e4, 1e5, 5e5, 2e6 cells
+BENCHMARK_MAIN();
