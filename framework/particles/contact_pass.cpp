@@ -352,6 +352,16 @@ std::size_t ContactPass::piece(const Piece& piece, Run& run) {
       }
     }
     std::memcpy(touching + k, &flags, 4);
+    // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
+    if (now != 0) {
+      const char* const memory = reinterpret_cast<const char*>(lists_.history.data() + k * lists_.history_rows());
+      __builtin_prefetch(memory, 1);
+      __builtin_prefetch(memory + 64, 1);
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        __builtin_prefetch(&particles_.velocity[candidates[k + lane].partner]);
+        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[k + lane].partner]);
+      }
+    }
     for (std::uint32_t lane = 0; lane < 4; ++lane) {
       run.columns.candidate[run.rows] = k + lane;
       run.rows += now >> lane & 1;
