@@ -28,10 +28,13 @@ class BlockAverage {
   /// How many instants one block holds.
   std::uint64_t block_length() const { return block_length_; }
 
- private:
   struct Sums {
     double weighted = 0, weight = 0;
   };
+  /// The whole blocks, in the order of time: what differs between two averages over the same instants can be told from them.
+  const std::vector<Sums>& blocks() const { return blocks_; }
+
+ private:
   std::vector<Sums> blocks_;
   Sums open_;  // the block that is being filled
   Sums total_;

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array k_files_of_a_run = {"manifest.json", "particles.pvd", "fluid.pvd",   "monitors.csv",
-                                         "profiles.csv",  "timing.json",   "report.html", "view.py"};
+                                         "profiles.csv",  "timing.json",   "report.html", "view.py",
+                                         "profile_blocks.csv"};
 
 struct FrameFolder {
   const char* name;
