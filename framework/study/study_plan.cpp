@@ -21,7 +21,6 @@ constexpr double k_same_place = 1e-6;   // relative, of heights
 
 std::vector<Setting> settings_of_all(const StudyFile& study) {
   std::vector<Setting> all = study.set;
-  if (study.from) all.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
   if (study.smoothing) all.push_back({k_smoothing_path, *study.smoothing, "", study.smoothing_mark, "smoothing"});
   return all;
 }
@@ -181,7 +180,6 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
   StudyPlan plan;
   plan.study = study;
   const std::vector<Setting> common = settings_of_all(study);
-  std::vector<Setting> chosen_smoothing;
   std::vector<NamedCase> named = cases_of(study);
   std::vector<std::string> ignored;
 
@@ -195,8 +193,9 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     left_to_default = left_to_default && !read.back().file.scene.smoothing_length;
     largest = std::max(largest, read.back().default_smoothing);
   }
+  std::vector<Setting> chosen;   // by the study: what no single case could say
   if (left_to_default) {
-    Setting& smoothing = chosen_smoothing.emplace_back();
+    Setting& smoothing = chosen.emplace_back();
     smoothing.path = k_smoothing_path;
     smoothing.value = exact_number(largest) + " m";
     smoothing.written_at = "smoothing";
@@ -207,13 +206,15 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     planned.name = named[k].name;
     planned.settings = named[k].settings;
     std::vector<Setting> settings = common;
-    settings.insert(settings.end(), chosen_smoothing.begin(), chosen_smoothing.end());
+    settings.insert(settings.end(), chosen.begin(), chosen.end());
+    if (study.from && !read[k].file.scene.output.profiles.z.empty())
+      settings.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
     settings.insert(settings.end(), named[k].settings.begin(), named[k].settings.end());
     for (const Setting& setting : settings) planned.overrides.push_back(setting.assignment());
-    if (left_to_default) read[k] = read_and_assemble(study, catalogue, settings, planned.name, ignored);
+    if (settings.size() > common.size() + named[k].settings.size()) read[k] = read_and_assemble(study, catalogue, settings, planned.name, ignored);
     const RealScene& scene = read[k].file.scene;
     planned.resolved = read[k].file.resolved;
-    planned.from = scene.output.profiles.from;
+    planned.from = study.from.value_or(scene.output.profiles.from);
     planned.end = scene.time.end;
     planned.dt = read[k].dt;
     planned.cell = scene.cell[0];
