@@ -254,12 +254,12 @@ std::vector<std::vector<std::size_t>> lines_along(const StudyPlan& plan, const s
     std::string key;
     for (const Setting& setting : plan.cases[k].settings)
       if (setting.path != axis) key += setting.assignment() + "\n";
-    const auto found = std::find(keys.begin(), keys.end(), key);
-    if (found == keys.end()) {
+    const auto place = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    if (place == keys.size()) {
       keys.push_back(key);
       lines.emplace_back();
     }
-    lines[static_cast<std::size_t>(found - keys.begin())].push_back(k);
+    lines[place].push_back(k);
   }
   return lines;
 }

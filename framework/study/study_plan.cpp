@@ -6,6 +6,7 @@
 
 #include "coupling/coupling.h"
 #include "scene/case_file.h"
+#include "scene/document.h"
 #include "scene/messages.h"
 #include "scene/section.h"
 #include "scene/units.h"
@@ -19,9 +20,22 @@ namespace {
 constexpr const char* k_smoothing_path = "coupling.smoothing";
 constexpr double k_same_place = 1e-6;   // relative, of heights
 
-std::vector<Setting> settings_of_all(const StudyFile& study) {
+/// Does the case, as it is or as it is set, average profiles? Only then can it be told from when.
+bool averages_profiles(const StudyFile& study, const std::vector<Setting>& settings) {
+  const std::string path = "output.profiles";
+  for (const Setting& setting : settings)
+    if (setting.path.starts_with(path)) return true;
+  const Document base(study.base);
+  const DocumentNode* output = base.root().find("output");
+  return output != nullptr && output->find("profiles") != nullptr;
+}
+
+/// What all cases set and what this one sets; the later win.
+std::vector<Setting> settings_of(const StudyFile& study, const NamedCase& one) {
   std::vector<Setting> all = study.set;
   if (study.smoothing) all.push_back({k_smoothing_path, *study.smoothing, "", study.smoothing_mark, "smoothing"});
+  all.insert(all.end(), one.settings.begin(), one.settings.end());
+  if (study.from && averages_profiles(study, all)) all.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
   return all;
 }
 
@@ -179,7 +193,6 @@ std::string StudyPlan::reference_name() const {
 StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
   StudyPlan plan;
   plan.study = study;
-  const std::vector<Setting> common = settings_of_all(study);
   std::vector<NamedCase> named = cases_of(study);
   std::vector<std::string> ignored;
 
@@ -187,8 +200,7 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
   double largest = 0;
   std::vector<ReadCase> read;
   for (const NamedCase& one : named) {
-    std::vector<Setting> settings = common;
-    settings.insert(settings.end(), one.settings.begin(), one.settings.end());
+    const std::vector<Setting> settings = settings_of(study, one);
     read.push_back(read_and_assemble(study, catalogue, settings, one.name, plan.warnings));
     left_to_default = left_to_default && !read.back().file.scene.smoothing_length;
     largest = std::max(largest, read.back().default_smoothing);
@@ -205,13 +217,10 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     PlannedCase planned;
     planned.name = named[k].name;
     planned.settings = named[k].settings;
-    std::vector<Setting> settings = common;
-    settings.insert(settings.end(), chosen.begin(), chosen.end());
-    if (study.from && !read[k].file.scene.output.profiles.z.empty())
-      settings.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
-    settings.insert(settings.end(), named[k].settings.begin(), named[k].settings.end());
+    std::vector<Setting> settings = chosen;
+    for (const Setting& setting : settings_of(study, named[k])) settings.push_back(setting);
     for (const Setting& setting : settings) planned.overrides.push_back(setting.assignment());
-    if (settings.size() > common.size() + named[k].settings.size()) read[k] = read_and_assemble(study, catalogue, settings, planned.name, ignored);
+    if (left_to_default) read[k] = read_and_assemble(study, catalogue, settings, planned.name, ignored);
     const RealScene& scene = read[k].file.scene;
     planned.resolved = read[k].file.resolved;
     planned.from = study.from.value_or(scene.output.profiles.from);

@@ -8,7 +8,7 @@ import subprocess
 import time
 import unittest
 
-from command import SIMILITUDE, SMALL, CommandTest
+from command import SIMILITUDE, SMALL, SOURCE, CommandTest
 
 CASE = SMALL.replace("{end: 10 ms, dt: auto}", "{end: 40 ms, dt: auto}").replace("vtk: every 5 ms", "vtk: none").replace("count: 300", "count: 900")
 
@@ -153,6 +153,16 @@ class Study(CommandTest):
         self.assertEqual(page["cases"][0]["state_hash"], stored["state_hash"])
         self.assertEqual(page["cases"][0]["error"]["gas_fraction_profile"]["value"], 0)
 
+    def test_orders_are_observed_along_steps_and_cells(self):
+        study = STUDY.replace("{models.drag: [gidaspow, di_felice]}", "{models.drag: [gidaspow, di_felice], time.dt: [4 us, 2 us, 1 us]}")
+        done = self.study(study.replace("reference: gidaspow", "reference: gidaspow-dt_1us"))
+        self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
+        orders = self.page()["orders"]
+        # A line of steps for each drag law, and for each metric that has an order.
+        self.assertEqual([order["metric"] for order in orders], 2 * ["gas_fraction_profile", "velocity_profile", "pressure_drop", "bed_height"])
+        self.assertEqual(orders[0]["cases"], ["gidaspow-dt_4us", "gidaspow-dt_2us", "gidaspow-dt_1us"])
+        self.assertEqual(orders[4]["cases"], ["di_felice-dt_4us", "di_felice-dt_2us", "di_felice-dt_1us"])
+
     def test_measured_data_are_a_reference(self):
         self.write("sampler,x,z,mean,standard error\nvertical_velocity [m/s],0.0075,0.005,0.1,0.01\nbed_height,,,0.01,\n", "data.csv")
         study = STUDY.replace("reference: gidaspow", "reference: {data: data.csv}")
@@ -161,6 +171,18 @@ class Study(CommandTest):
         self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
         height = self.page()["cases"][0]["metrics"]["bed_height"]["value"]
         self.assertAlmostEqual(self.page()["cases"][0]["error"]["bed_height"]["value"], abs(height - 0.01) / 0.01)
+
+    def test_shipped_studies_fit_their_cases(self):
+        # Everything is checked before a folder is looked at; a folder that is taken stops it there.
+        os.mkdir(self.path("taken"))
+        self.write("{}", "taken/study.json")
+        folder = os.path.join(SOURCE, "configs/studies")
+        studies = [name for name in sorted(os.listdir(folder)) if name != "bed.yaml"]
+        self.assertEqual(len(studies), 8)
+        for name in studies:
+            done = self.command("study", os.path.join(folder, name), "-o", "taken")
+            missing = name == "scaling.yaml" and not os.path.exists(os.path.join(SOURCE, "results/small_bed_exact"))
+            self.assert_refused(done, 2, "reference.run: there is no run in" if missing else "taken holds an earlier study.")
 
     # ---------------------------------------------------------------------------------- refused before anything runs
 
