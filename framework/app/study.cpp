@@ -51,8 +51,12 @@ void print_gaps(const StudyPlan& plan, const StudyResult& result, std::ostream& 
   }
 }
 
+int threads_of(const StudyPlan& plan, const StudyResult& result) {
+  return plan.study.threads > 0 ? plan.study.threads : result.machine.cores;
+}
+
 void print(const StudyPlan& plan, const StudyResult& result, std::ostream& out) {
-  out << "\n" << plan.study.title << "\nerrors against " << plan.reference_name() << ", 95 % intervals; * no other case beats it in both time and (1)\n";
+  out << "\n" << plan.study.title << "\n" << result.machine.processor << ", " << threads_of(plan, result) << " threads; errors against " << plan.reference_name() << ", 95 % intervals; * no other case beats it in both time and (1)\n";
   for (std::size_t m = 0; m < plan.study.metrics.size(); ++m)
     out << fmt::format("  ({}) {}: {}\n", m + 1, plan.study.metrics[m]->name, plan.study.metrics[m]->doc);
   out << "\n";

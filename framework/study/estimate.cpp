@@ -125,7 +125,8 @@ BlockedMean blocked_mean(const std::vector<double>& series) {
     result.plateau = block * block * block > 2 * n * inefficiency * inefficiency;
     if (!result.plateau && blocked.standard_error <= result.standard_error) continue;
     result.standard_error = blocked.standard_error;
-    result.effective_samples = n / std::max(1.0, inefficiency);
+    const double freedom = static_cast<double>(blocked.blocks) - 1;
+    result.effective_samples = n / std::max(1.0, inefficiency) * (freedom - 2) / freedom;
     result.block_length = length;
     result.blocks = blocked.blocks;
     if (result.plateau) break;
@@ -165,9 +166,8 @@ Estimate fluctuation_of(const Series& series) {
   std::vector<double> squares;
   for (const double value : series.values) squares.push_back((value - mean.mean) * (value - mean.mean));
   const BlockedMean variance = blocked_mean(squares);
-  // The mean was taken from the same values: n_eff - 1 of n_eff remain.
-  const double freedom = mean.effective_samples > 2 ? mean.effective_samples / (mean.effective_samples - 1) : 2;
-  const Estimate of_variance = interval_of(freedom * variance.mean, variance);
+  // About the mean of the same values the squares are too small by that mean's own variance.
+  const Estimate of_variance = interval_of(variance.mean + mean.standard_error * mean.standard_error, variance);
   Estimate result = of_variance;
   result.value = std::sqrt(of_variance.value);
   result.low = std::sqrt(std::max(0.0, of_variance.low));

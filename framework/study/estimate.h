@@ -36,7 +36,7 @@ double student_two_sided(double probability, double degrees_of_freedom);
 /// series itself: the shortest B with B^3 > 2 n g^2, where g = se_B^2 / se_1^2 (Lee et al. 2011, Phys. Rev. E 83, 066706).
 struct BlockedMean {
   double mean = 0, standard_error = 0;
-  double effective_samples = 0;   // n / g
+  double effective_samples = 0;   // n / g, times (f - 2) / f: so much 1 / se_B^2 of f + 1 blocks is too large on average
   std::size_t block_length = 1, blocks = 0;
   bool plateau = false;           // a block length was found; otherwise the largest standard error stands
 };

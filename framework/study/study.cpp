@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 using json = nlohmann::json;
 
 constexpr int k_exit_of_signal = 128;          // shells' convention
+constexpr int k_wrong_input = 2;               // exit status of `similitude run`
 constexpr const char* k_cost_file = "cost.json";
 constexpr const char* k_log_file = "run.log";
 constexpr const char* k_leg_folder = "reference_leg";
@@ -121,7 +122,11 @@ std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const fs:
   std::vector<std::string> arguments = arguments_of(plan, planned, folder);
   arguments.push_back(resumed ? "--resume" : "--force");
   if (!resumed) fs::remove(folder / k_log_file, ignored);
-  const ChildOutcome outcome = run_child(arguments, folder / k_log_file);
+  ChildOutcome outcome = run_child(arguments, folder / k_log_file);
+  if (resumed && outcome.exit_status == k_wrong_input) {   // checkpoints that cannot be read
+    arguments.back() = "--force";
+    outcome = run_child(arguments, folder / k_log_file);
+  }
   if (StopSignal::received() != 0) return "interrupted";
   if (outcome.exit_status != 0) {
     const std::string error = last_error_in(folder / k_log_file);
