@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/text_table.h"
 #include "stepper/comparison.h"
 
 namespace similitude::app {
@@ -66,18 +67,9 @@ nlohmann::json as_json(const Comparison& comparison) {
 
 // ------------------------------------------------------------------------------------------------------------ text
 
-/// A table of words: the first row heads it; an empty first cell is a rule.
-using Table = std::vector<std::vector<std::string>>;
-
 std::string short_number(double value) {
   if (value != 0 && (std::abs(value) >= 1e5 || std::abs(value) < 1e-3)) return fmt::format("{:.2e}", value);
   return fmt::format("{:.4g}", value);
-}
-
-std::string seconds_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
-  if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
-  return seconds < 172800 ? fmt::format("{:.3g} h", seconds / 3600) : fmt::format("{:.3g} d", seconds / 86400);
 }
 
 std::vector<const Strategy*> with_beds(const Comparison& comparison) {
@@ -113,18 +105,6 @@ Table table_of(const std::vector<const Strategy*>& shown) {
   table.push_back(row("speed-up", "", shown, [](const Strategy& s) { return fmt::format("{:.3g}", s.speedup); }));
   table.push_back(row("wall time", "", shown, [](const Strategy& s) { return seconds_text(s.wall_s); }));
   return table;
-}
-
-void print_table(const Table& table, std::ostream& out) {
-  std::vector<std::size_t> widths(table.front().size(), 0);
-  for (const auto& cells : table)
-    for (std::size_t c = 0; c < cells.size(); ++c) widths[c] = std::max(widths[c], cells[c].size());
-  for (const auto& cells : table) {
-    std::string line;
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      line += c == 0 ? fmt::format("{:<{}}", cells[c], widths[c]) : fmt::format("  {:>{}}", cells[c], widths[c]);
-    out << line << "\n";
-  }
 }
 
 void print_markdown(const Table& table, std::ostream& out) {

@@ -10,14 +10,14 @@
 
 namespace similitude {
 
-namespace {
-
 double smoothing_length_of(const ModelScene& scene) {
   if (scene.smoothing_length) return *scene.smoothing_length;
   double largest = 0;
   for (const ParticleClass& type : scene.particles) largest = std::max(largest, type.diameter);
   return 3 * largest;
 }
+
+namespace {
 
 std::ptrdiff_t signed_size(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
 

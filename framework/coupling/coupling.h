@@ -98,4 +98,7 @@ class Coupling {
   std::unique_ptr<Parts> parts_;
 };
 
+/// [m], of the simulated bed: what the case asks for, or three of its largest diameters.
+double smoothing_length_of(const ModelScene& scene);
+
 }  // namespace similitude

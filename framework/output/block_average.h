@@ -42,6 +42,9 @@ class BlockAverage {
   const State& state() const { return state_; }
   void restore(State state) { state_ = std::move(state); }
 
+  /// The whole blocks, in the order of time: what differs between two averages over the same instants can be told from them.
+  const std::vector<Sums>& blocks() const { return state_.blocks; }
+
  private:
   State state_;
 };

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array k_files_of_a_run = {"manifest.json", "particles.pvd", "fluid.pvd",   "monitors.csv",
-                                         "profiles.csv",  "probes.csv", "timing.json",   "report.html", "view.py"};
+                                         "profiles.csv",  "profile_blocks.csv", "probes.csv", "timing.json", "report.html",
+                                         "view.py"};
 
 struct FrameFolder {
   const char* name;

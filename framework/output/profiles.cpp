@@ -148,6 +148,30 @@ std::vector<ProfileRow> ProfileSampler::rows() const {
   return rows;
 }
 
+std::vector<ProfileBlockRow> ProfileSampler::block_rows() const {
+  std::vector<ProfileBlockRow> rows;
+  const std::size_t across = bins_across();
+  const auto append = [&](const char* sampler, const std::vector<Bin>& bins) {
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+      const Interval extent = bin_extent(bin % across);
+      const auto& blocks = bins[bin].average.blocks();
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        rows.push_back({sampler, 0.5 * (extent.low + extent.high), settings_.heights[bin / across], b, blocks[b].weighted,
+                        blocks[b].weight});
+    }
+  };
+  append(k_vertical_velocity, seen_.solids);
+  append(k_gas_fraction, seen_.gas);
+  return rows;
+}
+
+void write_profile_blocks(const OutputDirectory& directory, const std::vector<ProfileBlockRow>& rows) {
+  CsvWriter csv(directory.file("profile_blocks.csv"), {"sampler", "x", "z", "block", "weighted sum", "weight"});
+  for (const ProfileBlockRow& row : rows)
+    csv.row_of_text({row.sampler, csv_number(row.x), csv_number(row.z), std::to_string(row.block),
+                     csv_number(row.weighted_sum), csv_number(row.weight)});
+}
+
 void write_profiles(const OutputDirectory& directory, const std::vector<ProfileRow>& rows) {
   CsvWriter csv(directory.file("profiles.csv"), {"sampler", "x", "y", "z", "mean", "standard error", "n", "blocks"});
   for (const ProfileRow& row : rows)

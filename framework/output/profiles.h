@@ -35,6 +35,14 @@ struct ProfileRow {
   double blocks = 0;           // effective number of blocks behind the standard error
 };
 
+/// A line of profile_blocks.csv: what one block of instants holds of one bin.
+struct ProfileBlockRow {
+  std::string sampler;
+  double x = 0, z = 0;                  // [m], centre of the bin
+  std::size_t block = 0;                // from 0; the same instants for all bins of a sampler
+  double weighted_sum = 0, weight = 0;  // mean of the block: weighted_sum / weight
+};
+
 /// Sampling window of one sampler. Of the real bed.
 struct ProfileWindow {
   double from = 0, to = 0;  // [s], first and last instant
@@ -55,6 +63,8 @@ class ProfileSampler {
   std::vector<ProfileRow> rows() const;
   const ProfileWindow& solids_window() const { return seen_.solids_window; }
   const ProfileWindow& gas_window() const { return seen_.gas_window; }
+  /// In the same order, block by block.
+  std::vector<ProfileBlockRow> block_rows() const;
   const ProfileSettings& settings() const { return settings_; }
 
   struct Bin {
@@ -82,6 +92,9 @@ class ProfileSampler {
 
 /// profiles.csv: sampler,x,y,z,mean,standard error,n,blocks. Throws OutputError.
 void write_profiles(const OutputDirectory& directory, const std::vector<ProfileRow>& rows);
+
+/// profile_blocks.csv: sampler,x,z,block,weighted sum,weight. Throws OutputError.
+void write_profile_blocks(const OutputDirectory& directory, const std::vector<ProfileBlockRow>& rows);
 
 /// A table with bars for the terminal, a block per sampler and height; says the window, and names empty bins.
 std::string profile_table(const ProfileSampler& sampler);

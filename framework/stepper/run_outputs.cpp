@@ -103,7 +103,9 @@ void RunOutputs::observe(const Simulation& simulation) {
 
 void RunOutputs::finish(const Simulation& simulation) {
   if (draws() && last_frame_time_ < simulation.time()) write_frame(simulation);
-  if (!profiles_.settings().heights.empty()) write_profiles(directory_, profiles_.rows());
+  if (profiles_.settings().heights.empty()) return;
+  write_profiles(directory_, profiles_.rows());
+  write_profile_blocks(directory_, profiles_.block_rows());
 }
 
 }  // namespace similitude

@@ -170,6 +170,18 @@ TEST(ProfileFile, HasTheColumnsOfTheContract) {
                           "vertical_velocity [m/s],0.0075,0.015,0.05,,,0,0"));
 }
 
+TEST(ProfileBlocksFile, HoldsWhatTheMeansAreMadeOf) {
+  const ScratchFolder folder;
+  const OutputDirectory directory(folder.path(), false);
+  ProfileSampler sampler({.heights = {0.05}, .size = {0.005, 0.03, 0.1}}, MapBack());
+  for (const double v : {1.0, 2.0}) sampler.sample(bed_of({{0.001, 0.015, 0.05, v, 4}}, MapBack()), v);
+  sampler.sample(bed_of({{0.001, 0.015, 0.09, 9, 4}}, MapBack()), 3);   // nothing at this height now
+  write_profile_blocks(directory, sampler.block_rows());
+  EXPECT_THAT(lines_of(folder / "profile_blocks.csv"),
+              ElementsAre("sampler,x,z,block,weighted sum,weight", "vertical_velocity [m/s],0.0025,0.05,0,4,4",
+                          "vertical_velocity [m/s],0.0025,0.05,1,8,4", "vertical_velocity [m/s],0.0025,0.05,2,0,0"));
+}
+
 TEST(ProfileTable, SaysTheWindowAndNamesEmptyBins) {
   ProfileSampler sampler({.heights = {0.05}, .size = {0.02, 0.03, 0.1}}, MapBack());
   for (const double time : {1.0, 2.0})

@@ -1,0 +1,353 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "output/number.h"
+#include "output/whole_file.h"
+#include "scene/messages.h"
+#include "scene/units.h"
+#include "stepper/stop_signal.h"
+#include "study/child_run.h"
+#include "study/observed_order.h"
+
+namespace similitude {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::json;
+
+constexpr int k_exit_of_signal = 128;          // shells' convention
+constexpr int k_wrong_input = 2;               // exit status of `similitude run`
+constexpr const char* k_cost_file = "cost.json";
+constexpr const char* k_log_file = "run.log";
+constexpr const char* k_leg_folder = "reference_leg";
+constexpr const char* k_leg_case = "reference_case.json";
+
+// --------------------------------------------------------------------------------------------------------- running
+
+/// What no file of a run says: how often it was timed, and its memory.
+struct Cost {
+  std::vector<double> repeats;   // [s]
+  double peak_memory_bytes = Estimate::k_unknown;
+};
+
+void write_cost(const fs::path& folder, const Cost& cost) {
+  write_whole_file(folder / k_cost_file,
+                   json{{"wall_s", cost.repeats}, {"peak_memory_bytes", cost.peak_memory_bytes}}.dump(2) + "\n");
+}
+
+Cost read_cost(const fs::path& folder) {
+  std::ifstream stream(folder / k_cost_file);
+  const json page = json::parse(stream, nullptr, false);
+  Cost cost;
+  if (page.is_discarded()) return cost;   // killed between the run's end and this file
+  cost.repeats = page.value("wall_s", std::vector<double>{});
+  if (page.contains("peak_memory_bytes") && page["peak_memory_bytes"].is_number()) cost.peak_memory_bytes = page["peak_memory_bytes"].get<double>();
+  return cost;
+}
+
+bool finished(const fs::path& folder, const std::string& resolved) {
+  if (!has_manifest(folder)) return false;
+  try {
+    const RunManifest manifest = read_manifest(folder);
+    return manifest.done() && same_case(manifest.case_text, resolved);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A half-finished run of the same case can be gone on with; anything else is done anew.
+bool can_be_resumed(const fs::path& folder, const std::string& resolved) {
+  std::error_code ignored;
+  if (!has_manifest(folder) || !fs::is_directory(folder / "checkpoints", ignored) || fs::is_empty(folder / "checkpoints", ignored)) return false;
+  try {
+    return same_case(read_manifest(folder).case_text, resolved);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::vector<std::string> arguments_of(const StudyPlan& plan, const PlannedCase& planned, const fs::path& folder) {
+  std::vector<std::string> arguments{"run", plan.study.base.string(), "-o", folder.string()};
+  for (const std::string& assignment : planned.overrides) {
+    arguments.push_back("--set");
+    arguments.push_back(assignment);
+  }
+  if (plan.study.threads > 0) {
+    arguments.push_back("--threads");
+    arguments.push_back(std::to_string(plan.study.threads));
+  }
+  return arguments;
+}
+
+std::string memory_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.2g} GB", bytes / 1e9);
+}
+
+fs::path make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw_output_error(folder, "made", error.value());
+  return folder;
+}
+
+/// Short runs again, for their time only: results of the same case are the same bits.
+void repeat_if_short(const StudyPlan& plan, const PlannedCase& planned, const fs::path& folder, Cost& cost) {
+  const fs::path again = folder / "repeat";
+  while (cost.repeats.front() < plan.study.short_run && static_cast<int>(cost.repeats.size()) < plan.study.repeats &&
+         StopSignal::received() == 0) {
+    std::vector<std::string> arguments = arguments_of(plan, planned, again);
+    arguments.push_back("--force");
+    const ChildOutcome outcome = run_child(arguments, folder / k_log_file);
+    if (outcome.exit_status != 0) break;
+    cost.repeats.push_back(read_timing(again).wall_s);
+    cost.peak_memory_bytes = std::max(cost.peak_memory_bytes, outcome.peak_memory_bytes);
+  }
+  std::error_code ignored;
+  fs::remove_all(again, ignored);
+}
+
+/// A line that says how it ended.
+std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const fs::path& folder) {
+  if (finished(folder, planned.resolved)) return "was done before";
+  make_folder(folder);
+  std::error_code ignored;
+  fs::remove(folder / k_cost_file, ignored);
+  const bool resumed = can_be_resumed(folder, planned.resolved);
+  std::vector<std::string> arguments = arguments_of(plan, planned, folder);
+  arguments.push_back(resumed ? "--resume" : "--force");
+  if (!resumed) fs::remove(folder / k_log_file, ignored);
+  ChildOutcome outcome = run_child(arguments, folder / k_log_file);
+  if (resumed && outcome.exit_status == k_wrong_input) {   // checkpoints that cannot be read
+    arguments.back() = "--force";
+    outcome = run_child(arguments, folder / k_log_file);
+  }
+  if (StopSignal::received() != 0) return "interrupted";
+  if (outcome.exit_status != 0) {
+    const std::string error = last_error_in(folder / k_log_file);
+    return fmt::format("failed with exit status {}{}{}", outcome.exit_status, error.empty() ? ", see " + (folder / k_log_file).string() : ": ", error);
+  }
+  Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes};
+  repeat_if_short(plan, planned, folder, cost);
+  if (StopSignal::received() != 0) return "interrupted";
+  write_cost(folder, cost);
+  return fmt::format("{:.3g} s{}, {} particles, {}", cost.repeats.front(), resumed ? " since it was resumed" : "",
+                     read_manifest(folder).particles, memory_text(cost.peak_memory_bytes));
+}
+
+std::string seconds_as_typed(double seconds) { return round_trip(seconds) + " s"; }
+
+/// The stored run's own case, for a moment: its speed on this machine.
+std::string run_leg(const StudyPlan& plan, const fs::path& folder) {
+  const fs::path leg = folder / k_leg_folder;
+  if (finished(leg, plan.stored->case_text)) return "was done before";
+  make_folder(leg);
+  write_whole_file(folder / k_leg_case, plan.stored->case_text + "\n");
+  std::vector<std::string> arguments{"run", (folder / k_leg_case).string(), "-o", leg.string(), "--force", "--until", seconds_as_typed(plan.study.reference.leg)};
+  if (plan.study.threads > 0) {
+    arguments.push_back("--threads");
+    arguments.push_back(std::to_string(plan.study.threads));
+  }
+  const ChildOutcome outcome = run_child(arguments, leg / k_log_file);
+  if (outcome.exit_status != 0) return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
+  write_cost(leg, {.repeats = {read_timing(leg).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes});
+  return fmt::format("{:.3g} s for {:.3g} s of the bed's time", read_timing(leg).wall_s, read_timing(leg).simulated_s);
+}
+
+// --------------------------------------------------------------------------------------------------------- judging
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+void read_cost_into(StudyCase& one, const fs::path& folder) {
+  one.timing = read_timing(folder);
+  const Cost cost = read_cost(folder);
+  one.repeats = cost.repeats.empty() ? std::vector<double>{one.timing.wall_s} : cost.repeats;
+  one.wall_s = median(one.repeats);
+  one.peak_memory_bytes = cost.peak_memory_bytes;
+}
+
+StudyCase read_case_of(const PlannedCase& planned, const fs::path& folder) {
+  StudyCase one;
+  one.name = planned.name;
+  one.status = "not run";
+  one.reason = "it was not run";
+  if (!has_manifest(folder)) {
+    if (const std::string error = last_error_in(folder / k_log_file); !error.empty()) {
+      one.status = "failed";
+      one.reason = error;
+    }
+    return one;
+  }
+  const RunManifest manifest = read_manifest(folder);
+  one.status = manifest.status;
+  one.particles = manifest.particles;
+  one.done = finished(folder, planned.resolved);
+  one.reason = one.done ? "" : manifest.exit_reason;
+  if (one.done) {
+    one.state_hash = manifest.state_hash;
+    read_cost_into(one, folder);
+  } else if (manifest.done()) {
+    one.status = "not run";
+    one.reason = "the folder holds another case";
+  }
+  return one;
+}
+
+/// The stored run among the cases: its error is nought, its time what this machine needs for it, where that is known.
+StudyCase stored_reference(const StudyPlan& plan, const fs::path& folder, const Machine& machine) {
+  StudyCase one;
+  one.name = plan.reference_name();
+  one.reference = one.done = true;
+  one.status = "done";
+  one.particles = plan.stored->particles;
+  one.timing = *plan.stored_timing;
+  one.state_hash = plan.stored->state_hash;
+  if (plan.outside) one.profiles = plan.outside->profiles;
+  const fs::path leg = folder / k_leg_folder;
+  if (plan.study.reference.leg > 0 && finished(leg, plan.stored->case_text)) {
+    const RunTiming timed = read_timing(leg);
+    one.extrapolated_from = timed.simulated_s;
+    one.wall_s = timed.wall_s * plan.stored_timing->simulated_s / timed.simulated_s;
+    one.repeats = {one.wall_s};
+    one.peak_memory_bytes = read_cost(leg).peak_memory_bytes;
+    one.timing.stages = timed.stages;
+    for (RunTiming::Stage& stage : one.timing.stages) stage.seconds *= one.wall_s / timed.wall_s;
+    one.timing.particle_steps_per_s = timed.particle_steps_per_s;
+  } else if (plan.stored->machine.processor == machine.processor && plan.stored->machine.cores == machine.cores) {
+    one.wall_s = plan.stored_timing->wall_s;
+    one.repeats = {one.wall_s};
+  }
+  return one;
+}
+
+/// The reference against itself: its own values, and no error.
+void clear_errors(MetricResult& result) {
+  if (result.metric->kind == MetricKind::residual) return;
+  result.error = exactly(0);
+  if (result.metric->of_profile()) result.value = exactly(0);
+  result.heights.clear();
+}
+
+std::vector<Contender> contenders_of(const std::vector<StudyCase>& cases, std::size_t metric) {
+  std::vector<Contender> contenders;
+  for (const StudyCase& one : cases)
+    contenders.push_back({one.name, one.done ? one.wall_s : Estimate::k_unknown,
+                          one.done ? one.results[metric].error : gap(one.reason), one.reference});
+  return contenders;
+}
+
+std::string in_words(const Metric& metric) {
+  std::string text = metric.name;
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return metric.kind == MetricKind::residual ? text : text + " error";
+}
+
+/// Cases that differ in one axis alone, for every choice of the others.
+std::vector<std::vector<std::size_t>> lines_along(const StudyPlan& plan, const std::string& axis) {
+  std::vector<std::vector<std::size_t>> lines;
+  std::vector<std::string> keys;
+  for (std::size_t k = 0; k < plan.cases.size(); ++k) {
+    std::string key;
+    for (const Setting& setting : plan.cases[k].settings)
+      if (setting.path != axis) key += setting.assignment() + "\n";
+    const auto place = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    if (place == keys.size()) {
+      keys.push_back(key);
+      lines.emplace_back();
+    }
+    lines[place].push_back(k);
+  }
+  return lines;
+}
+
+void find_orders(const StudyPlan& plan, StudyResult& result) {
+  for (const StudyAxis& axis : plan.study.axes) {
+    const bool dt = axis.path == "time.dt";
+    if (!dt && axis.path != "scene.domain.cell") continue;
+    const auto step = [&](std::size_t k) { return dt ? plan.cases[k].dt : plan.cases[k].cell; };
+    for (std::vector<std::size_t> line : lines_along(plan, axis.path)) {
+      std::sort(line.begin(), line.end(), [&](std::size_t a, std::size_t b) { return step(a) > step(b); });
+      for (std::size_t m = 0; m < plan.study.metrics.size(); ++m) {
+        if (plan.study.metrics[m]->kind == MetricKind::residual) continue;
+        double reference_step = 0;
+        std::vector<OrderPoint> points;
+        StudyOrder order{.axis = axis.path, .metric = plan.study.metrics[m]->name, .cases = {}, .order = {}};
+        for (const std::size_t k : line) {
+          order.cases.push_back(plan.cases[k].name);
+          if (result.cases[k].reference)
+            reference_step = step(k);
+          else if (result.cases[k].done)
+            points.push_back({step(k), result.cases[k].results[m].error});
+        }
+        order.order = observed_order(points, reference_step);
+        result.orders.push_back(std::move(order));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
+  if (fs::exists(folder / "study.json")) return true;
+  return std::any_of(plan.cases.begin(), plan.cases.end(), [&](const PlannedCase& one) { return has_manifest(folder / one.name); });
+}
+
+int run_cases(const StudyPlan& plan, const fs::path& folder, const std::function<void(const std::string&)>& say) {
+  make_folder(folder);
+  const StopSignal stop_signal;
+  if (plan.stored && plan.study.reference.leg > 0) say("reference, a short leg: " + run_leg(plan, folder));
+  for (std::size_t k = 0; k < plan.cases.size() && StopSignal::received() == 0; ++k) {
+    const PlannedCase& planned = plan.cases[k];
+    say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name, run_one(plan, planned, folder / planned.name)));
+  }
+  return StopSignal::received() == 0 ? 0 : k_exit_of_signal + StopSignal::received();
+}
+
+StudyResult evaluate(const StudyPlan& plan, const fs::path& folder) {
+  StudyResult result;
+  result.machine = this_machine();
+  std::vector<Observations> seen(plan.cases.size());
+  for (std::size_t k = 0; k < plan.cases.size(); ++k) {
+    result.cases.push_back(read_case_of(plan.cases[k], folder / plan.cases[k].name));
+    StudyCase& one = result.cases.back();
+    one.reference = plan.reference_case == k;
+    if (!one.done) continue;
+    seen[k] = read_observations(folder / one.name, plan.cases[k].from);
+    one.profiles = seen[k].profiles;
+  }
+  const Observations* reference = nullptr;
+  if (plan.outside) reference = &*plan.outside;
+  if (plan.reference_case && result.cases[*plan.reference_case].done) reference = &seen[*plan.reference_case];
+  for (std::size_t k = 0; k < plan.cases.size(); ++k) {
+    if (!result.cases[k].done) continue;
+    for (const Metric* metric : plan.study.metrics) result.cases[k].results.push_back(measure(*metric, seen[k], reference));
+  }
+  if (plan.stored) {
+    result.cases.push_back(stored_reference(plan, folder, result.machine));
+    for (const Metric* metric : plan.study.metrics) result.cases.back().results.push_back(measure(*metric, *plan.outside, reference));
+  }
+  for (StudyCase& one : result.cases)
+    if (one.reference)
+      for (MetricResult& metric : one.results) clear_errors(metric);
+
+  const std::vector<Contender> contenders = contenders_of(result.cases, 0);
+  result.frontier = frontier_of(contenders);
+  for (StudyCase& one : result.cases) one.pareto = result.frontier.holds(one.name);
+  for (std::size_t m = 0; m < plan.study.metrics.size(); ++m) result.indistinguishable.push_back(indistinguishable(contenders_of(result.cases, m)));
+  find_orders(plan, result);
+  result.advice = reference == nullptr ? "The reference " + plan.reference_name() + " did not finish, so there is nothing to compare with."
+                                       : advice(contenders, in_words(*plan.study.metrics.front()));
+  return result;
+}
+
+}  // namespace similitude
