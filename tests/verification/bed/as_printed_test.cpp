@@ -14,7 +14,7 @@ double centre_of_mass(const ParticleStore& particles) {
 }
 
 /// The superficial velocity [m/s] at which drag, with or without the pressure gradient on particles, carries them:
-/// (beta/phi) U / eps^2 = (rho_p - rho_f) g, or (beta/phi) U / eps = (rho_p - rho_f) g. physics.md B4, D2.11. By bisection.
+/// (beta/phi) U / eps^2 = (rho_p - rho_f) g, or (beta/phi) U / eps = (rho_p - rho_f) g. By bisection.
 double lifting_velocity(const DragModel& drag, double gas_fraction, bool with_pressure_gradient) {
   double low = 0, high = 5;
   for (int i = 0; i < 100; ++i) {

@@ -82,7 +82,7 @@ double pressure_gradient(const SmallBed& bed) {
          ((k_inside_to - k_inside_from) * grid.spacing(2));
 }
 
-/// physics.md B4: dp/L = beta u_s / eps with beta = n K, u_s = U / eps (model A), for any drag law.
+/// dp/L = beta u_s / eps with beta = n K, u_s = U / eps (model A), for any drag law.
 double closed_form(const SmallBed& bed, double pitch, double slip) {
   const double gas_fraction = gas_fraction_at(pitch);
   const double beta = exchange_coefficient(bed.assembly->drag, k_diameter, k_gas_density, k_gas_viscosity, gas_fraction, slip) /
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Porous, FixedSlab,
                          name_of);
 
 // The velocity at which the paper's alumina, packed at a gas fraction of 0.4328, is just weightless under Ergun's drag.
-// physics.md D2.11 and B4: 0.3600 m/s with the pressure gradient on the particles, 0.6530 m/s as printed, without.
+// 0.3600 m/s with the pressure gradient on the particles, 0.6530 m/s as printed, without.
 struct Weightless {
   const char* name;
   const char* fluid;

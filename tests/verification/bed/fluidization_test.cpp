@@ -10,7 +10,7 @@
 namespace similitude::test {
 namespace {
 
-/// The drag law's own u_mf [m/s]: (beta/phi) phi U / eps^2 = phi (rho_p - rho_f) g (physics.md B4), by bisection.
+/// The drag law's own u_mf [m/s]: (beta/phi) phi U / eps^2 = phi (rho_p - rho_f) g, by bisection.
 double minimum_fluidization_velocity(const DragModel& drag, double gas_fraction) {
   double low = 0, high = 5;
   for (int i = 0; i < 100; ++i) {

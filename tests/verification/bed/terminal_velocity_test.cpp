@@ -3,7 +3,7 @@
 #include "small_bed.h"
 
 namespace similitude::test {
-// refvalues.md, single sphere, Schiller-Naumann: alumina of 1 mm in air 3.943726 m/s; 0.1 mm, 2000 kg/m^3 (MFIX DEM06)
+// Single sphere, Schiller-Naumann, by bisection: alumina of 1 mm in air 3.943726 m/s; 0.1 mm, 2000 kg/m^3 (MFIX DEM06)
 // 0.457536 m/s at g = 9.81.
 struct FallCase {
   const char* name;
