@@ -1,10 +1,10 @@
 #include "study/study.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <iostream>
 #include <memory>
-
-#include <fmt/format.h>
 
 #include "app/commands.h"
 #include "app/text_table.h"
@@ -24,7 +24,8 @@ constexpr int k_some_case_failed = 1;
 std::string error_cell(const StudyCase& one, std::size_t metric) {
   if (metric >= one.results.size() || !one.results[metric].error.known()) return "-";
   if (one.reference && one.results[metric].metric->kind != MetricKind::residual) return "reference";
-  if (one.results[metric].metric->kind == MetricKind::residual) return fmt::format("{:.1e}", one.results[metric].error.value);
+  if (one.results[metric].metric->kind == MetricKind::residual)
+    return fmt::format("{:.1e}", one.results[metric].error.value);
   return percent_text(one.results[metric].error);
 }
 
@@ -47,7 +48,8 @@ void print_gaps(const StudyPlan& plan, const StudyResult& result, std::ostream& 
   for (const StudyCase& one : result.cases) {
     if (!one.done) out << one.name << ": " << one.status << (one.reason.empty() ? "" : ": " + one.reason) << "\n";
     for (std::size_t m = 0; m < one.results.size(); ++m)
-      if (!one.results[m].error.known()) out << one.name << ": no " << plan.study.metrics[m]->name << " error: " << one.results[m].error.gap << "\n";
+      if (!one.results[m].error.known())
+        out << one.name << ": no " << plan.study.metrics[m]->name << " error: " << one.results[m].error.gap << "\n";
   }
 }
 
@@ -56,7 +58,10 @@ int threads_of(const StudyPlan& plan, const StudyResult& result) {
 }
 
 void print(const StudyPlan& plan, const StudyResult& result, std::ostream& out) {
-  out << "\n" << plan.study.title << "\n" << result.machine.processor << ", " << threads_of(plan, result) << " threads; errors against " << plan.reference_name() << ", 95 % intervals; * no other case beats it in both time and (1)\n";
+  out << "\n"
+      << plan.study.title << "\n"
+      << result.machine.processor << ", " << threads_of(plan, result) << " threads; errors against "
+      << plan.reference_name() << ", 95 % intervals; * no other case beats it in both time and (1)\n";
   for (std::size_t m = 0; m < plan.study.metrics.size(); ++m)
     out << fmt::format("  ({}) {}: {}\n", m + 1, plan.study.metrics[m]->name, plan.study.metrics[m]->doc);
   out << "\n";
@@ -64,11 +69,13 @@ void print(const StudyPlan& plan, const StudyResult& result, std::ostream& out) 
   out << "\n";
   print_gaps(plan, result, out);
   for (const FrontierStep& step : result.frontier.steps)
-    out << fmt::format("{} -> {}: {} x the time, {:+.2g} % of error{}\n", step.from, step.to, ratio_text(step.time_ratio), 100 * step.error_change,
+    out << fmt::format("{} -> {}: {} x the time, {:+.2g} % of error{}\n", step.from, step.to,
+                       ratio_text(step.time_ratio), 100 * step.error_change,
                        step.distinguishable ? "" : ", not distinguishable");
   for (const StudyOrder& order : result.orders) {
     if (order.order.known())
-      out << fmt::format("order in {} by {}: {:.2g} ({:.2g} ... {:.2g})\n", order.axis, order.metric, order.order.value, order.order.low, order.order.high);
+      out << fmt::format("order in {} by {}: {:.2g} ({:.2g} ... {:.2g})\n", order.axis, order.metric, order.order.value,
+                         order.order.low, order.order.high);
     else
       out << fmt::format("order in {} by {}: {}\n", order.axis, order.metric, order.order.gap);
   }
@@ -79,12 +86,15 @@ int study(const StudyArguments& arguments) {
   const StudyFile file = read_study(arguments.study_file);
   const Catalogue plugins = catalogue_for(file.base.string());
   const StudyPlan plan = plan_study(file, plugins);
-  const std::filesystem::path folder = arguments.folder.empty() ? std::filesystem::path("results") / file.name : std::filesystem::path(arguments.folder);
+  const std::filesystem::path folder =
+      arguments.folder.empty() ? std::filesystem::path("results") / file.name : std::filesystem::path(arguments.folder);
   if (!arguments.resume && holds_a_study(folder, plan))
-    throw InputError(folder.string() + " holds an earlier study.", "Give another folder with -o, or --resume to run only what is missing there.");
+    throw InputError(folder.string() + " holds an earlier study.",
+                     "Give another folder with -o, or --resume to run only what is missing there.");
   for (const std::string& warning : plan.warnings) std::cerr << "warning: " << warning << "\n";
 
-  std::cout << plan.study.title << "\n" << plan.cases.size() << " cases, one after the other; what they say is in run.log of their folders\n";
+  std::cout << plan.study.title << "\n"
+            << plan.cases.size() << " cases, one after the other; what they say is in run.log of their folders\n";
   const int interrupted = run_cases(plan, folder, [](const std::string& line) { std::cout << line << std::endl; });
   if (interrupted != 0) {
     std::cout << "\ninterrupted; go on with --resume\n";
@@ -106,7 +116,8 @@ void add_study(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("study", "Run many cases and say what accuracy costs in time.");
   command->add_option("STUDY", arguments->study_file, "study file (YAML)")->required();
   command->add_option("-o,--output", arguments->folder, "folder for results (default: results/<study name>)");
-  command->add_flag("--resume", arguments->resume, "run only what is missing in the folder, half-finished cases from their checkpoints");
+  command->add_flag("--resume", arguments->resume,
+                    "run only what is missing in the folder, half-finished cases from their checkpoints");
   command->footer("Exit status 1: a case failed; the others were run and compared.");
   command->callback([arguments, &action] { action = [arguments] { return study(*arguments); }; });
 }

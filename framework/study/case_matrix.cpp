@@ -9,7 +9,9 @@ namespace {
 std::string name_of(const Setting& setting) {
   const char first = setting.label.front();
   const bool speaks = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
-  if (speaks && setting.label != "none" && setting.label != "auto" && setting.label != "true" && setting.label != "false") return setting.label;
+  if (speaks && setting.label != "none" && setting.label != "auto" && setting.label != "true" &&
+      setting.label != "false")
+    return setting.label;
   return setting.path.substr(setting.path.rfind('.') + 1) + "_" + setting.label;
 }
 
@@ -33,7 +35,8 @@ std::vector<NamedCase> cases_of(const StudyFile& study) {
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (cases[i].name == cases[j].name)
-        throw InputError(cases[i].mark, cases[i].settings.back().written_at, "two combinations would both be called " + cases[i].name + ".",
+        throw InputError(cases[i].mark, cases[i].settings.back().written_at,
+                         "two combinations would both be called " + cases[i].name + ".",
                          "Remove a value that stands twice, or list the cases with names of your own under cases:.");
   return cases;
 }

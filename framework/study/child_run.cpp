@@ -19,8 +19,8 @@ namespace similitude {
 namespace {
 
 constexpr std::chrono::milliseconds k_look_again{10};
-constexpr int k_exit_of_signal = 128;   // shells' convention
-constexpr int k_cannot_run = 127;       // shells' convention
+constexpr int k_exit_of_signal = 128;  // shells' convention
+constexpr int k_cannot_run = 127;      // shells' convention
 
 /// Between fork and exec: only calls that are safe there.
 [[noreturn]] void become(char* const* arguments, int log, ::pid_t parent) {
@@ -64,7 +64,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, const std::fil
     }
     std::this_thread::sleep_for(k_look_again);
   }
-  constexpr double k_bytes_per_unit = 1024;   // ru_maxrss is in KiB
+  constexpr double k_bytes_per_unit = 1024;  // ru_maxrss is in KiB
   return {.exit_status = WIFSIGNALED(status) ? k_exit_of_signal + WTERMSIG(status) : WEXITSTATUS(status),
           .peak_memory_bytes = k_bytes_per_unit * static_cast<double>(used.ru_maxrss)};
 }
@@ -75,7 +75,8 @@ std::string last_error_in(const std::filesystem::path& log) {
   std::string text;
   bool inside = false;
   for (std::string line; std::getline(stream, line);) {
-    if (const std::size_t at = line.find(k_error); at != std::string::npos && (at == 0 || line[at - 1] == '\r' || line[at - 1] == '\n')) {
+    if (const std::size_t at = line.find(k_error);
+        at != std::string::npos && (at == 0 || line[at - 1] == '\r' || line[at - 1] == '\n')) {
       text = line.substr(at + k_error.size());
       inside = true;
     } else if (inside && line.starts_with("  ")) {

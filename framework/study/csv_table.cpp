@@ -31,7 +31,7 @@ std::vector<std::string> fields_of(const std::string& line) {
 }
 
 std::string place(const std::filesystem::path& file, std::size_t row) {
-  return file.string() + ":" + std::to_string(row + 2);   // the names are line 1
+  return file.string() + ":" + std::to_string(row + 2);  // the names are line 1
 }
 
 }  // namespace
@@ -41,14 +41,15 @@ CsvTable::CsvTable(const std::filesystem::path& file) : file_(file) {
   std::string line;
   if (!std::filesystem::is_regular_file(file) || !stream.is_open())
     throw InputError(file.string() + ": there is no such file.");
-  if (!std::getline(stream, line)) throw InputError(file.string() + ": this table is empty.", "Its first row must name the columns.");
+  if (!std::getline(stream, line))
+    throw InputError(file.string() + ": this table is empty.", "Its first row must name the columns.");
   columns_ = fields_of(line);
   while (std::getline(stream, line)) {
     if (line.empty() || line == "\r") continue;
     rows_.push_back(fields_of(line));
     if (rows_.back().size() != columns_.size())
-      throw InputError(place(file, rows_.size() - 1) + ": this row has " + std::to_string(rows_.back().size()) + " fields, but there are " +
-                       std::to_string(columns_.size()) + " columns.");
+      throw InputError(place(file, rows_.size() - 1) + ": this row has " + std::to_string(rows_.back().size()) +
+                       " fields, but there are " + std::to_string(columns_.size()) + " columns.");
   }
 }
 
@@ -59,7 +60,8 @@ bool CsvTable::has(const std::string& column) const {
 std::size_t CsvTable::index(const std::string& column) const {
   const auto found = std::find(columns_.begin(), columns_.end(), column);
   if (found == columns_.end())
-    throw InputError(file_.string() + ": the column " + column + " is missing.", "Columns of this file: " + listed(columns_) + ".");
+    throw InputError(file_.string() + ": the column " + column + " is missing.",
+                     "Columns of this file: " + listed(columns_) + ".");
   return static_cast<std::size_t>(found - columns_.begin());
 }
 

@@ -11,9 +11,9 @@ namespace similitude {
 namespace {
 
 constexpr double k_confidence = 0.95;
-constexpr std::size_t k_fewest_blocks = 4;        // below, Student's t says nothing useful
+constexpr std::size_t k_fewest_blocks = 4;  // below, Student's t says nothing useful
 constexpr std::size_t k_fewest_values = 8;
-constexpr std::size_t k_windows = 3;              // of a spectrum, each half of the series
+constexpr std::size_t k_windows = 3;  // of a spectrum, each half of the series
 constexpr std::size_t k_fewest_in_window = 16;
 
 struct Blocked {
@@ -41,8 +41,7 @@ Blocked in_blocks(const std::vector<double>& series, std::size_t length) {
 std::size_t next_length(std::size_t length) { return length < 3 ? length + 1 : length + (length + 2) / 3; }
 
 Estimate interval_of(double value, const BlockedMean& mean) {
-  const double reach =
-      student_two_sided(k_confidence, static_cast<double>(mean.blocks) - 1) * mean.standard_error;
+  const double reach = student_two_sided(k_confidence, static_cast<double>(mean.blocks) - 1) * mean.standard_error;
   Estimate result;
   result.value = value;
   result.low = value - reach;
@@ -80,8 +79,10 @@ std::vector<double> spectrum(const std::vector<double>& values, std::size_t firs
 double peak_of(const std::vector<double>& power) {
   const auto highest = static_cast<std::size_t>(std::max_element(power.begin(), power.end()) - power.begin());
   const auto place = static_cast<double>(highest) + 1;
-  if (highest == 0 || highest + 1 == power.size() || !(power[highest - 1] > 0) || !(power[highest + 1] > 0)) return place;
-  const double left = std::log(power[highest - 1]), middle = std::log(power[highest]), right = std::log(power[highest + 1]);
+  if (highest == 0 || highest + 1 == power.size() || !(power[highest - 1] > 0) || !(power[highest + 1] > 0))
+    return place;
+  const double left = std::log(power[highest - 1]), middle = std::log(power[highest]),
+               right = std::log(power[highest + 1]);
   const double bend = left - 2 * middle + right;
   return bend < 0 ? place + 0.5 * (left - right) / bend : place;
 }
@@ -115,7 +116,7 @@ BlockedMean blocked_mean(const std::vector<double>& series) {
   result.effective_samples = n;
   result.blocks = series.size();
   if (!(uncorrelated > 0)) {
-    result.plateau = true;   // a constant: every block says the same
+    result.plateau = true;  // a constant: every block says the same
     return result;
   }
   for (std::size_t length = 1; series.size() / length >= k_fewest_blocks; length = next_length(length)) {
@@ -182,7 +183,8 @@ Estimate dominant_frequency_of(const Series& series) {
   if (length < k_fewest_in_window) return gap("fewer than 32 rows in the window of the average");
   std::vector<double> total(length / 2, 0.0), peaks;
   for (std::size_t w = 0; w < k_windows; ++w) {
-    const std::vector<double> power = spectrum(series.values, w * (series.values.size() - length) / (k_windows - 1), length);
+    const std::vector<double> power =
+        spectrum(series.values, w * (series.values.size() - length) / (k_windows - 1), length);
     for (std::size_t f = 0; f < power.size(); ++f) total[f] += power[f];
     peaks.push_back(peak_of(power));
   }
@@ -191,7 +193,7 @@ Estimate dominant_frequency_of(const Series& series) {
   // Hann's window spreads what is slower than the window over its two lowest frequencies.
   if (highest < 2) return gap("no frequency stands out above the slowest that the window resolves");
 
-  const double per_window = 1 / (static_cast<double>(length) * series.interval);   // [Hz]
+  const double per_window = 1 / (static_cast<double>(length) * series.interval);  // [Hz]
   Estimate result;
   result.value = peak_of(total) * per_window;
   double reach = per_window;

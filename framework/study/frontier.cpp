@@ -1,28 +1,32 @@
 #include "study/frontier.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <fmt/format.h>
 
 namespace similitude {
 namespace {
 
-constexpr double k_as_fast = 1.1;   // two wall times closer than this are called the same: what one machine repeats
+constexpr double k_as_fast = 1.1;  // two wall times closer than this are called the same: what one machine repeats
 
-std::string two_digits(double value) { return std::abs(value) < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value); }
+std::string two_digits(double value) {
+  return std::abs(value) < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
 
 bool placed(const Contender& c) { return !std::isnan(c.wall_s) && c.error.known(); }
 
 bool beats(const Contender& a, const Contender& b) {
-  return a.wall_s <= b.wall_s && a.error.value <= b.error.value && (a.wall_s < b.wall_s || a.error.value < b.error.value);
+  return a.wall_s <= b.wall_s && a.error.value <= b.error.value &&
+         (a.wall_s < b.wall_s || a.error.value < b.error.value);
 }
 
 std::vector<Contender> all_placed(const std::vector<Contender>& contenders) {
   std::vector<Contender> found;
   for (const Contender& c : contenders)
     if (placed(c)) found.push_back(c);
-  std::stable_sort(found.begin(), found.end(), [](const Contender& a, const Contender& b) { return a.wall_s < b.wall_s; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Contender& a, const Contender& b) { return a.wall_s < b.wall_s; });
   return found;
 }
 
@@ -42,18 +46,21 @@ std::string neighbours(const Contender& chosen, const Contender& best, const std
     return "cannot be told from " + best.name + "'s, " + percent_text(best.error) +
            (ratio > k_as_fast ? ", which takes " + ratio_text(ratio) + " x as long" : ", which takes as long");
   }
-  const Contender* faster = nullptr;   // the most accurate of those that are faster
+  const Contender* faster = nullptr;  // the most accurate of those that are faster
   for (const Contender& c : others)
     if (c.wall_s < chosen.wall_s && (faster == nullptr || c.error.value < faster->error.value)) faster = &c;
   if (faster == nullptr) return others.size() > 1 ? "is also the smallest" : "has nothing to be compared with";
   const double ratio = chosen.wall_s / faster->wall_s;
-  return "is the smallest; " + faster->name + (ratio > k_as_fast ? " is " + ratio_text(ratio) + " x faster still" : " is as fast") + ", but off by " +
+  return "is the smallest; " + faster->name +
+         (ratio > k_as_fast ? " is " + ratio_text(ratio) + " x faster still" : " is as fast") + ", but off by " +
          percent_text(faster->error);
 }
 
 }  // namespace
 
-bool Frontier::holds(const std::string& name) const { return std::find(cases.begin(), cases.end(), name) != cases.end(); }
+bool Frontier::holds(const std::string& name) const {
+  return std::find(cases.begin(), cases.end(), name) != cases.end();
+}
 
 Frontier frontier_of(const std::vector<Contender>& contenders) {
   const std::vector<Contender> all = all_placed(contenders);
@@ -94,14 +101,15 @@ std::string advice(const std::vector<Contender>& contenders, const std::string& 
   if (candidates.empty()) return "No case has both a wall time and a " + metric + ": there is nothing to advise.";
   const Contender& fastest = candidates.front();
   if (reference != nullptr && reference->wall_s * k_as_fast < fastest.wall_s)
-    return fmt::format("Nothing here beats {}: the fastest other case, {}, takes {} x as long, and its {} is {}.", reference->name,
-                       fastest.name, ratio_text(fastest.wall_s / reference->wall_s), metric, percent_text(fastest.error));
+    return fmt::format("Nothing here beats {}: the fastest other case, {}, takes {} x as long, and its {} is {}.",
+                       reference->name, fastest.name, ratio_text(fastest.wall_s / reference->wall_s), metric,
+                       percent_text(fastest.error));
 
-  const Contender& best = *std::min_element(candidates.begin(), candidates.end(), [](const Contender& a, const Contender& b) {
-    return a.error.value < b.error.value;
-  });
-  const Contender& chosen =
-      *std::find_if(candidates.begin(), candidates.end(), [&](const Contender& c) { return overlap(c.error, best.error); });
+  const Contender& best =
+      *std::min_element(candidates.begin(), candidates.end(),
+                        [](const Contender& a, const Contender& b) { return a.error.value < b.error.value; });
+  const Contender& chosen = *std::find_if(candidates.begin(), candidates.end(),
+                                          [&](const Contender& c) { return overlap(c.error, best.error); });
   std::string head;
   if (reference != nullptr)
     head = chosen.name + " is " + speed_against(chosen, *reference);
@@ -109,7 +117,8 @@ std::string advice(const std::vector<Contender>& contenders, const std::string& 
     head = chosen.name + " is " + speed_against(chosen, slowest);
   else
     head = chosen.name + " is the slowest";
-  return head + "; its " + metric + ", " + percent_text(chosen.error) + ", " + neighbours(chosen, best, candidates) + ".";
+  return head + "; its " + metric + ", " + percent_text(chosen.error) + ", " + neighbours(chosen, best, candidates) +
+         ".";
 }
 
 std::string percent_text(const Estimate& error) {

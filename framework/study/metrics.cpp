@@ -22,23 +22,29 @@ constexpr std::array k_metrics{
     Metric{"pressure_drop_fluctuation", MetricKind::fluctuation, "pressure_drop [Pa]", "Pa",
            "standard deviation of the pressure drop in time"},
     Metric{"bed_height", MetricKind::mean, "bed_height [m]", "m", "mean bed height"},
-    Metric{"bed_height_fluctuation", MetricKind::fluctuation, "bed_height [m]", "m", "standard deviation of the bed height in time"},
+    Metric{"bed_height_fluctuation", MetricKind::fluctuation, "bed_height [m]", "m",
+           "standard deviation of the bed height in time"},
     Metric{"dominant_frequency", MetricKind::frequency, "pressure_drop [Pa]", "Hz",
            "highest peak in the spectrum of the pressure drop"},
     Metric{"momentum_residual", MetricKind::residual, "momentum_residual [1]", "1",
            "largest imbalance of the particles' momentum in the run"},
-    Metric{"energy_residual", MetricKind::residual, "energy_residual [1]", "1", "largest imbalance of the particles' energy in the run"},
-    Metric{"gas_balance_residual", MetricKind::residual, "gas_balance_residual [1]", "1", "largest imbalance of the gas's mass in the run"},
+    Metric{"energy_residual", MetricKind::residual, "energy_residual [1]", "1",
+           "largest imbalance of the particles' energy in the run"},
+    Metric{"gas_balance_residual", MetricKind::residual, "gas_balance_residual [1]", "1",
+           "largest imbalance of the gas's mass in the run"},
 };
 
 Estimate value_of(const Metric& metric, const Observations& seen) {
   if (const auto given = seen.given.find(metric.name); given != seen.given.end()) return given->second;
   if (metric.kind == MetricKind::residual) {
     const auto found = seen.largest.find(metric.source);
-    return found == seen.largest.end() || std::isnan(found->second) ? gap("this run has no " + std::string(metric.source)) : exactly(found->second);
+    return found == seen.largest.end() || std::isnan(found->second)
+               ? gap("this run has no " + std::string(metric.source))
+               : exactly(found->second);
   }
   const auto found = seen.monitors.find(metric.source);
-  if (found == seen.monitors.end() || found->second.values.empty()) return gap("this run has no " + std::string(metric.source));
+  if (found == seen.monitors.end() || found->second.values.empty())
+    return gap("this run has no " + std::string(metric.source));
   switch (metric.kind) {
     case MetricKind::mean:
       return mean_of(found->second);
@@ -77,8 +83,8 @@ MetricResult measure_profile(const Metric& metric, const Observations& seen, con
   const Profile* other = reference != nullptr ? reference->profile(metric.source) : nullptr;
   if (own == nullptr || other == nullptr) {
     result.value = result.error = gap(reference == nullptr ? "there is no reference to compare with"
-                                      : own == nullptr ? "this run has no profiles"
-                                                       : "the reference has no " + std::string(metric.source));
+                                      : own == nullptr     ? "this run has no profiles"
+                                                           : "the reference has no " + std::string(metric.source));
     return result;
   }
   const ProfileError error = profile_error(*own, *other);
@@ -127,8 +133,10 @@ double effective_samples_of(const Observations& seen) {
     if (found == seen.monitors.end()) continue;
     const Estimate mean = mean_of(found->second);
     // No plateau: fewer than were counted.
-    if (mean.known()) fewest = std::fmin(fewest, mean.effective_samples);
-    else if (!found->second.values.empty()) fewest = 0;
+    if (mean.known())
+      fewest = std::fmin(fewest, mean.effective_samples);
+    else if (!found->second.values.empty())
+      fewest = 0;
   }
   return fewest;
 }

@@ -6,7 +6,7 @@
 namespace similitude {
 namespace {
 
-constexpr double k_highest_order = 8;   // of no scheme here
+constexpr double k_highest_order = 8;  // of no scheme here
 constexpr int k_halvings = 60;
 
 /// ln((h^p - r^p) / (g^p - r^p)): what the order p makes of the ratio of two errors. Grows with p.
@@ -43,7 +43,8 @@ double best_order(const std::vector<OrderPoint>& points, double reference) {
   double low = 1e-3, high = k_highest_order;
   for (int k = 0; k < k_halvings; ++k) {
     const double a = high - k_golden * (high - low), b = low + k_golden * (high - low);
-    (misfit(points, reference, a) < misfit(points, reference, b) ? high : low) = misfit(points, reference, a) < misfit(points, reference, b) ? b : a;
+    (misfit(points, reference, a) < misfit(points, reference, b) ? high : low) =
+        misfit(points, reference, a) < misfit(points, reference, b) ? b : a;
   }
   return 0.5 * (low + high);
 }
@@ -56,7 +57,7 @@ Estimate observed_order(const std::vector<OrderPoint>& given, double reference_s
     if (point.error.known() && point.error.low > 0 && point.step > reference_step) points.push_back(point);
   if (points.size() < 2) return gap("fewer than two errors stand out of the noise");
   std::sort(points.begin(), points.end(), [](const OrderPoint& a, const OrderPoint& b) { return a.step < b.step; });
-  const double unit = points.front().step;   // so that the fit sees no metres or seconds
+  const double unit = points.front().step;  // so that the fit sees no metres or seconds
   for (OrderPoint& point : points) point.step /= unit;
   const double reference = reference_step / unit;
 
@@ -67,7 +68,8 @@ Estimate observed_order(const std::vector<OrderPoint>& given, double reference_s
   order.high = order_of(coarse.step, fine.step, reference, std::log(coarse.error.high / fine.error.low));
   order.low = std::min(order.low, order.value);
   order.high = std::max(order.high, order.value);
-  order.lower_bound = std::any_of(points.begin(), points.end(), [](const OrderPoint& p) { return p.error.lower_bound; });
+  order.lower_bound =
+      std::any_of(points.begin(), points.end(), [](const OrderPoint& p) { return p.error.lower_bound; });
   return order;
 }
 

@@ -8,7 +8,7 @@ namespace similitude {
 namespace {
 
 constexpr double k_confidence = 0.95;
-constexpr double k_same_place = 1e-6;   // relative: coordinates were written by the same rule, or typed by hand
+constexpr double k_same_place = 1e-6;  // relative: coordinates were written by the same rule, or typed by hand
 
 bool same(double a, double b) { return std::abs(a - b) <= k_same_place * std::max(std::abs(a), std::abs(b)); }
 
@@ -22,7 +22,7 @@ double error_of(const ProfileBin& bin) { return std::isnan(bin.standard_error) ?
 /// A place of the reference and the bins of the profile that lie around it.
 struct Place {
   std::size_t reference = 0;
-  std::size_t left = 0, right = 0;   // bins of the profile; the same one where it lies on the place
+  std::size_t left = 0, right = 0;  // bins of the profile; the same one where it lies on the place
   double right_share = 0;
   double z = 0;
   double difference = 0;
@@ -68,8 +68,8 @@ struct Coefficients {
 struct Comparison {
   const Profile& profile;
   const Profile& reference;
-  double scale = 0;                // the reference's largest magnitude
-  double degrees_of_freedom = 0;   // of Student's t
+  double scale = 0;               // the reference's largest magnitude
+  double degrees_of_freedom = 0;  // of Student's t
 
   double variance(const Coefficients& c) const {
     return variance_of_combination(profile, c.profile) + variance_of_combination(reference, c.reference);
@@ -109,7 +109,8 @@ Estimate mean_difference(const Comparison& compared, const std::vector<Place>& p
     c.add(place, share);
     result.value += share * place.difference / compared.scale;
   }
-  const double reach = student_two_sided(k_confidence, compared.degrees_of_freedom) * std::sqrt(compared.variance(c)) / compared.scale;
+  const double reach =
+      student_two_sided(k_confidence, compared.degrees_of_freedom) * std::sqrt(compared.variance(c)) / compared.scale;
   result.low = result.value - reach;
   result.high = result.value + reach;
   return result;
@@ -206,7 +207,8 @@ ProfileError profile_error(const Profile& profile, const Profile& reference) {
   }
   error.bins = places.size();
   if (places.empty() || !(compared.scale > 0)) {
-    error.l2 = error.maximum = gap(places.empty() ? "no bin was seen long enough on both sides" : "the reference is zero everywhere");
+    error.l2 = error.maximum =
+        gap(places.empty() ? "no bin was seen long enough on both sides" : "the reference is zero everywhere");
     return error;
   }
   error.l2 = root_mean_square(compared, places);

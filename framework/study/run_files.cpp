@@ -51,7 +51,8 @@ std::vector<Profile> read_profiles(const fs::path& folder) {
   const auto error = table.numbers("standard error"), blocks = table.numbers("blocks");
   for (std::size_t k = 0; k < table.rows(); ++k)
     profile_named(profiles, samplers[k])
-        .bins.push_back({.x = x[k], .z = z[k], .mean = mean[k], .standard_error = error[k], .blocks = blocks[k], .in_blocks = {}});
+        .bins.push_back(
+            {.x = x[k], .z = z[k], .mean = mean[k], .standard_error = error[k], .blocks = blocks[k], .in_blocks = {}});
 
   const fs::path file = folder / "profile_blocks.csv";
   if (!fs::exists(file)) return profiles;
@@ -99,7 +100,8 @@ RunTiming read_timing(const fs::path& folder) {
     timing.particle_steps = page.at("particle_steps").get<double>();
     timing.particle_steps_per_s = page.at("particle_steps_per_s").get<double>();
     for (const json& stage : page.at("stages"))
-      timing.stages.push_back({stage.at("name").get<std::string>(), stage.at("seconds").get<double>(), stage.at("share").get<double>()});
+      timing.stages.push_back(
+          {stage.at("name").get<std::string>(), stage.at("seconds").get<double>(), stage.at("share").get<double>()});
     return timing;
   });
 }
@@ -125,12 +127,16 @@ Observations read_measured(const fs::path& file) {
   const CsvTable table(file);
   for (const char* column : {"sampler", "x", "z", "mean"})
     if (!table.has(column))
-      throw InputError(file.string() + ": measured data need the columns sampler, x, z, mean and, if known, standard error, but these are " +
-                           listed(table.columns()) + ".",
-                       "Name them in the first row. x and z in metres; sampler as in profiles.csv of a run, e.g. vertical_velocity [m/s].");
+      throw InputError(
+          file.string() +
+              ": measured data need the columns sampler, x, z, mean and, if known, standard error, but these are " +
+              listed(table.columns()) + ".",
+          "Name them in the first row. x and z in metres; sampler as in profiles.csv of a run, e.g. vertical_velocity "
+          "[m/s].");
   const auto samplers = table.texts("sampler");
   const auto x = table.numbers("x"), z = table.numbers("z"), mean = table.numbers("mean");
-  const auto error = table.has("standard error") ? table.numbers("standard error") : std::vector<double>(mean.size(), Estimate::k_unknown);
+  const auto error = table.has("standard error") ? table.numbers("standard error")
+                                                 : std::vector<double>(mean.size(), Estimate::k_unknown);
   std::vector<std::string> known;
   for (const Metric& metric : all_metrics())
     if (const std::string name = metric.of_profile() ? metric.source : metric.name;
@@ -157,7 +163,8 @@ Observations read_measured(const fs::path& file) {
     }
     Profile& profile = profile_named(seen.profiles, samplers[k]);
     profile.measured = true;
-    profile.bins.push_back({.x = x[k], .z = z[k], .mean = mean[k], .standard_error = error[k], .blocks = 0, .in_blocks = {}});
+    profile.bins.push_back(
+        {.x = x[k], .z = z[k], .mean = mean[k], .standard_error = error[k], .blocks = 0, .in_blocks = {}});
   }
   return seen;
 }

@@ -18,7 +18,7 @@ struct RunTiming {
     std::string name;
     double seconds = 0, share = 0;
   };
-  double wall_s = 0, simulated_s = 0;   // [s]
+  double wall_s = 0, simulated_s = 0;  // [s]
   double particle_steps = 0, particle_steps_per_s = 0;
   std::vector<Stage> stages;
 };
@@ -26,7 +26,7 @@ struct RunTiming {
 struct RunManifest {
   std::string status, exit_reason, state_hash;
   std::int64_t particles = 0;
-  std::string case_text;   // JSON: the case as resolved
+  std::string case_text;  // JSON: the case as resolved
   Machine machine;
   int threads = 0;
   bool done() const { return status == "done"; }
@@ -34,10 +34,10 @@ struct RunManifest {
 
 /// Everything that metrics are taken from.
 struct Observations {
-  std::vector<Profile> profiles;            // by sampler
-  std::map<std::string, Series> monitors;   // by column, after start-up
-  std::map<std::string, double> largest;    // by column, largest magnitude of the whole run
-  std::map<std::string, Estimate> given;    // measured data: by metric
+  std::vector<Profile> profiles;           // by sampler
+  std::map<std::string, Series> monitors;  // by column, after start-up
+  std::map<std::string, double> largest;   // by column, largest magnitude of the whole run
+  std::map<std::string, Estimate> given;   // measured data: by metric
 
   const Profile* profile(const std::string& sampler) const;
 };

@@ -1,10 +1,10 @@
 #include "study/study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "output/number.h"
@@ -21,8 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using json = nlohmann::json;
 
-constexpr int k_exit_of_signal = 128;          // shells' convention
-constexpr int k_wrong_input = 2;               // exit status of `similitude run`
+constexpr int k_exit_of_signal = 128;  // shells' convention
+constexpr int k_wrong_input = 2;       // exit status of `similitude run`
 constexpr const char* k_cost_file = "cost.json";
 constexpr const char* k_log_file = "run.log";
 constexpr const char* k_leg_folder = "reference_leg";
@@ -32,7 +32,7 @@ constexpr const char* k_leg_case = "reference_case.json";
 
 /// What no file of a run says: how often it was timed, and its memory.
 struct Cost {
-  std::vector<double> repeats;   // [s]
+  std::vector<double> repeats;  // [s]
   double peak_memory_bytes = Estimate::k_unknown;
 };
 
@@ -45,9 +45,10 @@ Cost read_cost(const fs::path& folder) {
   std::ifstream stream(folder / k_cost_file);
   const json page = json::parse(stream, nullptr, false);
   Cost cost;
-  if (page.is_discarded()) return cost;   // killed between the run's end and this file
+  if (page.is_discarded()) return cost;  // killed between the run's end and this file
   cost.repeats = page.value("wall_s", std::vector<double>{});
-  if (page.contains("peak_memory_bytes") && page["peak_memory_bytes"].is_number()) cost.peak_memory_bytes = page["peak_memory_bytes"].get<double>();
+  if (page.contains("peak_memory_bytes") && page["peak_memory_bytes"].is_number())
+    cost.peak_memory_bytes = page["peak_memory_bytes"].get<double>();
   return cost;
 }
 
@@ -64,7 +65,9 @@ bool finished(const fs::path& folder, const std::string& resolved) {
 /// A half-finished run of the same case can be gone on with; anything else is done anew.
 bool can_be_resumed(const fs::path& folder, const std::string& resolved) {
   std::error_code ignored;
-  if (!has_manifest(folder) || !fs::is_directory(folder / "checkpoints", ignored) || fs::is_empty(folder / "checkpoints", ignored)) return false;
+  if (!has_manifest(folder) || !fs::is_directory(folder / "checkpoints", ignored) ||
+      fs::is_empty(folder / "checkpoints", ignored))
+    return false;
   try {
     return same_case(read_manifest(folder).case_text, resolved);
   } catch (const InputError&) {
@@ -123,14 +126,15 @@ std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const fs:
   arguments.push_back(resumed ? "--resume" : "--force");
   if (!resumed) fs::remove(folder / k_log_file, ignored);
   ChildOutcome outcome = run_child(arguments, folder / k_log_file);
-  if (resumed && outcome.exit_status == k_wrong_input) {   // checkpoints that cannot be read
+  if (resumed && outcome.exit_status == k_wrong_input) {  // checkpoints that cannot be read
     arguments.back() = "--force";
     outcome = run_child(arguments, folder / k_log_file);
   }
   if (StopSignal::received() != 0) return "interrupted";
   if (outcome.exit_status != 0) {
     const std::string error = last_error_in(folder / k_log_file);
-    return fmt::format("failed with exit status {}{}{}", outcome.exit_status, error.empty() ? ", see " + (folder / k_log_file).string() : ": ", error);
+    return fmt::format("failed with exit status {}{}{}", outcome.exit_status,
+                       error.empty() ? ", see " + (folder / k_log_file).string() : ": ", error);
   }
   Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes};
   repeat_if_short(plan, planned, folder, cost);
@@ -148,13 +152,20 @@ std::string run_leg(const StudyPlan& plan, const fs::path& folder) {
   if (finished(leg, plan.stored->case_text)) return "was done before";
   make_folder(leg);
   write_whole_file(folder / k_leg_case, plan.stored->case_text + "\n");
-  std::vector<std::string> arguments{"run", (folder / k_leg_case).string(), "-o", leg.string(), "--force", "--until", seconds_as_typed(plan.study.reference.leg)};
+  std::vector<std::string> arguments{"run",
+                                     (folder / k_leg_case).string(),
+                                     "-o",
+                                     leg.string(),
+                                     "--force",
+                                     "--until",
+                                     seconds_as_typed(plan.study.reference.leg)};
   if (plan.study.threads > 0) {
     arguments.push_back("--threads");
     arguments.push_back(std::to_string(plan.study.threads));
   }
   const ChildOutcome outcome = run_child(arguments, leg / k_log_file);
-  if (outcome.exit_status != 0) return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
+  if (outcome.exit_status != 0)
+    return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
   write_cost(leg, {.repeats = {read_timing(leg).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes});
   return fmt::format("{:.3g} s for {:.3g} s of the bed's time", read_timing(leg).wall_s, read_timing(leg).simulated_s);
 }
@@ -299,7 +310,8 @@ void find_orders(const StudyPlan& plan, StudyResult& result) {
 
 bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
   if (fs::exists(folder / "study.json")) return true;
-  return std::any_of(plan.cases.begin(), plan.cases.end(), [&](const PlannedCase& one) { return has_manifest(folder / one.name); });
+  return std::any_of(plan.cases.begin(), plan.cases.end(),
+                     [&](const PlannedCase& one) { return has_manifest(folder / one.name); });
 }
 
 int run_cases(const StudyPlan& plan, const fs::path& folder, const std::function<void(const std::string&)>& say) {
@@ -308,7 +320,8 @@ int run_cases(const StudyPlan& plan, const fs::path& folder, const std::function
   if (plan.stored && plan.study.reference.leg > 0) say("reference, a short leg: " + run_leg(plan, folder));
   for (std::size_t k = 0; k < plan.cases.size() && StopSignal::received() == 0; ++k) {
     const PlannedCase& planned = plan.cases[k];
-    say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name, run_one(plan, planned, folder / planned.name)));
+    say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name,
+                    run_one(plan, planned, folder / planned.name)));
   }
   return StopSignal::received() == 0 ? 0 : k_exit_of_signal + StopSignal::received();
 }
@@ -330,11 +343,13 @@ StudyResult evaluate(const StudyPlan& plan, const fs::path& folder) {
   if (plan.reference_case && result.cases[*plan.reference_case].done) reference = &seen[*plan.reference_case];
   for (std::size_t k = 0; k < plan.cases.size(); ++k) {
     if (!result.cases[k].done) continue;
-    for (const Metric* metric : plan.study.metrics) result.cases[k].results.push_back(measure(*metric, seen[k], reference));
+    for (const Metric* metric : plan.study.metrics)
+      result.cases[k].results.push_back(measure(*metric, seen[k], reference));
   }
   if (plan.stored) {
     result.cases.push_back(stored_reference(plan, folder, result.machine));
-    for (const Metric* metric : plan.study.metrics) result.cases.back().results.push_back(measure(*metric, *plan.outside, reference));
+    for (const Metric* metric : plan.study.metrics)
+      result.cases.back().results.push_back(measure(*metric, *plan.outside, reference));
   }
   for (StudyCase& one : result.cases)
     if (one.reference)
@@ -343,9 +358,11 @@ StudyResult evaluate(const StudyPlan& plan, const fs::path& folder) {
   const std::vector<Contender> contenders = contenders_of(result.cases, 0);
   result.frontier = frontier_of(contenders);
   for (StudyCase& one : result.cases) one.pareto = result.frontier.holds(one.name);
-  for (std::size_t m = 0; m < plan.study.metrics.size(); ++m) result.indistinguishable.push_back(indistinguishable(contenders_of(result.cases, m)));
+  for (std::size_t m = 0; m < plan.study.metrics.size(); ++m)
+    result.indistinguishable.push_back(indistinguishable(contenders_of(result.cases, m)));
   find_orders(plan, result);
-  result.advice = reference == nullptr ? "The reference " + plan.reference_name() + " did not finish, so there is nothing to compare with."
+  result.advice = reference == nullptr ? "The reference " + plan.reference_name() +
+                                             " did not finish, so there is nothing to compare with."
                                        : advice(contenders, in_words(*plan.study.metrics.front()));
   return result;
 }

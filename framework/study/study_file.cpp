@@ -11,19 +11,53 @@ namespace similitude {
 
 KeyTable study_keys() {
   static constexpr std::array keys{
-      CaseKey{.name = "similitude_study", .form = Form::integer, .required = true, .doc = "version of the study format: 1"},
+      CaseKey{
+          .name = "similitude_study", .form = Form::integer, .required = true, .doc = "version of the study format: 1"},
       CaseKey{.name = "title", .form = Form::text, .doc = "one line for reports; the file's name if left out"},
-      CaseKey{.name = "base", .form = Form::text, .required = true, .doc = "the case file that all cases start from, from the study's folder"},
+      CaseKey{.name = "base",
+              .form = Form::text,
+              .required = true,
+              .doc = "the case file that all cases start from, from the study's folder"},
       CaseKey{.name = "set", .form = Form::text, .doc = "case paths and values for all cases, as with --set"},
-      CaseKey{.name = "axes", .form = Form::text, .doc = "case paths, each with a list of values; every combination is a case"},
-      CaseKey{.name = "cases", .form = Form::text, .doc = "instead of axes: a list of cases, each with a name and what it sets"},
-      CaseKey{.name = "reference", .form = Form::text, .required = true, .doc = "a case's name, {run: folder} or {data: file}"},
-      CaseKey{.name = "metrics", .form = Form::texts, .required = true, .doc = "what is compared; the first is the frontier's"},
-      CaseKey{.name = "from", .form = Form::quantity, .unit = "s", .sign = Sign::not_negative, .doc = "start of all averages; the case's output.profiles.from if left out"},
-      CaseKey{.name = "smoothing", .form = Form::quantity, .unit = "mm", .sign = Sign::positive, .doc = "one coupling.smoothing for all cases; the largest of their defaults if left out"},
-      CaseKey{.name = "repeats", .form = Form::integer, .sign = Sign::positive, .default_text = "1", .doc = "how often a short run is timed; the median counts"},
-      CaseKey{.name = "short", .form = Form::quantity, .unit = "s", .sign = Sign::not_negative, .default_text = "10 s", .doc = "wall time below which a run is repeated"},
-      CaseKey{.name = "threads", .form = Form::integer, .sign = Sign::positive, .doc = "threads of each run; all cores if left out"},
+      CaseKey{.name = "axes",
+              .form = Form::text,
+              .doc = "case paths, each with a list of values; every combination is a case"},
+      CaseKey{.name = "cases",
+              .form = Form::text,
+              .doc = "instead of axes: a list of cases, each with a name and what it sets"},
+      CaseKey{.name = "reference",
+              .form = Form::text,
+              .required = true,
+              .doc = "a case's name, {run: folder} or {data: file}"},
+      CaseKey{.name = "metrics",
+              .form = Form::texts,
+              .required = true,
+              .doc = "what is compared; the first is the frontier's"},
+      CaseKey{.name = "from",
+              .form = Form::quantity,
+              .unit = "s",
+              .sign = Sign::not_negative,
+              .doc = "start of all averages; the case's output.profiles.from if left out"},
+      CaseKey{.name = "smoothing",
+              .form = Form::quantity,
+              .unit = "mm",
+              .sign = Sign::positive,
+              .doc = "one coupling.smoothing for all cases; the largest of their defaults if left out"},
+      CaseKey{.name = "repeats",
+              .form = Form::integer,
+              .sign = Sign::positive,
+              .default_text = "1",
+              .doc = "how often a short run is timed; the median counts"},
+      CaseKey{.name = "short",
+              .form = Form::quantity,
+              .unit = "s",
+              .sign = Sign::not_negative,
+              .default_text = "10 s",
+              .doc = "wall time below which a run is repeated"},
+      CaseKey{.name = "threads",
+              .form = Form::integer,
+              .sign = Sign::positive,
+              .doc = "threads of each run; all cores if left out"},
   };
   return keys;
 }
@@ -38,15 +72,23 @@ KeyTable study_case_keys() {
 
 KeyTable study_run_reference_keys() {
   static constexpr std::array keys{
-      CaseKey{.name = "run", .form = Form::text, .required = true, .doc = "folder of a finished run, from the study's folder"},
-      CaseKey{.name = "leg", .form = Form::quantity, .unit = "s", .sign = Sign::positive, .doc = "run its case again for so long, to know its speed on this machine"},
+      CaseKey{.name = "run",
+              .form = Form::text,
+              .required = true,
+              .doc = "folder of a finished run, from the study's folder"},
+      CaseKey{.name = "leg",
+              .form = Form::quantity,
+              .unit = "s",
+              .sign = Sign::positive,
+              .doc = "run its case again for so long, to know its speed on this machine"},
   };
   return keys;
 }
 
 KeyTable study_data_reference_keys() {
   static constexpr std::array keys{
-      CaseKey{.name = "data", .form = Form::text, .required = true, .doc = "CSV of measured data, from the study's folder"},
+      CaseKey{
+          .name = "data", .form = Form::text, .required = true, .doc = "CSV of measured data, from the study's folder"},
   };
   return keys;
 }
@@ -56,12 +98,13 @@ namespace {
 constexpr const char* k_name_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._+-";
 
 std::string quoted_if_needed(const std::string& text) {
-  const bool plain = !text.empty() && text.find_first_of(",[]{}:#&*!|>'\"%@`\n\\=") == std::string::npos && text.front() != ' ' &&
-                     text.back() != ' ' && text.front() != '-' && text.front() != '?';
+  const bool plain = !text.empty() && text.find_first_of(",[]{}:#&*!|>'\"%@`\n\\=") == std::string::npos &&
+                     text.front() != ' ' && text.back() != ' ' && text.front() != '-' && text.front() != '?';
   const bool number = !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos;
   if (plain || number) return text;
   std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' || c == '\\' ? std::string{'\\', c} : c == '\n' ? "\\n" : std::string(1, c);
+  for (const char c : text)
+    quoted += c == '"' || c == '\\' ? std::string{'\\', c} : c == '\n' ? "\\n" : std::string(1, c);
   return quoted + "\"";
 }
 
@@ -70,7 +113,8 @@ std::string one_line(const DocumentNode& node) {
   std::string text;
   if (node.is_scalar()) return quoted_if_needed(node.text);
   for (std::size_t k = 0; k < node.items.size(); ++k)
-    text += (k == 0 ? "" : ", ") + (node.is_map() ? quoted_if_needed(node.keys[k].name) + ": " : "") + one_line(node.items[k]);
+    text += (k == 0 ? "" : ", ") + (node.is_map() ? quoted_if_needed(node.keys[k].name) + ": " : "") +
+            one_line(node.items[k]);
   if (node.is_map()) return "{" + text + "}";
   return node.is_list() ? "[" + text + "]" : "";
 }
@@ -110,12 +154,16 @@ std::vector<StudyAxis> read_axes(const DocumentNode* node) {
   if (node == nullptr) return axes;
   const std::string sample = "Write for example axes: {models.drag: [gidaspow, di_felice]}.";
   if (!node->is_map())
-    throw InputError(node->mark, "axes", "a map of case paths is needed, but this is " + node->described() + ".", sample);
+    throw InputError(node->mark, "axes", "a map of case paths is needed, but this is " + node->described() + ".",
+                     sample);
   for (std::size_t k = 0; k < node->keys.size(); ++k) {
     const std::string& path = node->keys[k].name;
     const DocumentNode& values = node->items[k];
     if (!values.is_list() || values.items.empty())
-      throw InputError(values.mark, "axes." + path, "a list of values is needed, but this is " + (values.is_list() ? "an empty one" : values.described()) + ".", sample);
+      throw InputError(
+          values.mark, "axes." + path,
+          "a list of values is needed, but this is " + (values.is_list() ? "an empty one" : values.described()) + ".",
+          sample);
     StudyAxis axis{.path = path, .values = {}};
     for (const DocumentNode& value : values.items) axis.values.push_back(setting_of(path, value, "axes." + path));
     axes.push_back(std::move(axis));
@@ -132,12 +180,15 @@ std::vector<NamedCase> read_cases(const DocumentNode* node) {
   for (const DocumentNode& item : node->items) {
     const std::string at = "cases." + std::to_string(cases.size());
     const Section section(&item, at, study_case_keys(), item.mark);
-    NamedCase one{.name = section.text("name"), .mark = section.mark("name"), .settings = read_settings(section.node("set"), at + ".set")};
+    NamedCase one{.name = section.text("name"),
+                  .mark = section.mark("name"),
+                  .settings = read_settings(section.node("set"), at + ".set")};
     if (one.name.empty() || one.name.front() == '.' || one.name.find_first_not_of(k_name_letters) != std::string::npos)
       throw InputError(one.mark, at + ".name", "\"" + one.name + "\" cannot be the name of a folder of results.",
                        "Use letters, digits and . _ + -, and no dot in front.");
     for (const NamedCase& other : cases)
-      if (other.name == one.name) throw InputError(one.mark, at + ".name", one.name + " is the name of two cases.", "Rename one of them.");
+      if (other.name == one.name)
+        throw InputError(one.mark, at + ".name", one.name + " is the name of two cases.", "Rename one of them.");
     cases.push_back(std::move(one));
   }
   return cases;
@@ -171,7 +222,8 @@ std::vector<const Metric*> read_metrics(const Section& root) {
     const std::string at = "metrics." + std::to_string(metrics.size());
     const Metric* metric = find_metric(name);
     if (metric == nullptr)
-      throw InputError(item.mark, at, "there is no metric \"" + name + "\".", did_you_mean(name, known) + "Metrics: " + listed(known) + ".");
+      throw InputError(item.mark, at, "there is no metric \"" + name + "\".",
+                       did_you_mean(name, known) + "Metrics: " + listed(known) + ".");
     if (std::find(metrics.begin(), metrics.end(), metric) != metrics.end())
       throw InputError(item.mark, at, name + " is in the list twice.", "Keep one of the two.");
     metrics.push_back(metric);
@@ -186,17 +238,21 @@ void check_head(const Document& document) {
   const DocumentNode* version = document.root().find("similitude_study");
   const std::string wanted = std::to_string(k_study_version);
   if (version == nullptr)
-    throw InputError(document.root().mark, "similitude_study", "this key is missing: it says for which version of the format a study is written.",
-                     document.root().find("similitude") != nullptr ? "This looks like a case file: similitude run runs it."
-                                                                   : "Start the file with the line similitude_study: " + wanted + ".");
+    throw InputError(document.root().mark, "similitude_study",
+                     "this key is missing: it says for which version of the format a study is written.",
+                     document.root().find("similitude") != nullptr
+                         ? "This looks like a case file: similitude run runs it."
+                         : "Start the file with the line similitude_study: " + wanted + ".");
   if (!version->is_text(wanted.c_str()))
-    throw InputError(version->mark, "similitude_study", version->described() + " is no version of the format that this program knows.",
+    throw InputError(version->mark, "similitude_study",
+                     version->described() + " is no version of the format that this program knows.",
                      "Write similitude_study: " + wanted + ", or use a program made for that version.");
   std::vector<std::string> known;
   for (const CaseKey& key : study_keys()) known.emplace_back(key.name);
   for (const DocumentNode::Key& key : document.root().keys)
     if (std::find(known.begin(), known.end(), key.name) == known.end())
-      throw InputError(key.mark, key.name, "there is no such key.", did_you_mean(key.name, known) + "Keys of a study: " + listed(known) + ".");
+      throw InputError(key.mark, key.name, "there is no such key.",
+                       did_you_mean(key.name, known) + "Keys of a study: " + listed(known) + ".");
 }
 
 }  // namespace
@@ -219,9 +275,11 @@ StudyFile read_study(const std::filesystem::path& file) {
   study.axes = read_axes(root.node("axes"));
   study.cases = read_cases(root.node("cases"));
   if (study.axes.empty() == study.cases.empty())
-    throw InputError(root.mark(study.axes.empty() ? "" : "cases"), study.axes.empty() ? "" : "cases",
-                     study.axes.empty() ? "there are no cases: neither axes nor cases is given." : "axes and cases are both given.",
-                     study.axes.empty() ? "Add for example axes: {models.drag: [gidaspow, di_felice]}." : "Keep one of the two; a case may set several values.");
+    throw InputError(
+        root.mark(study.axes.empty() ? "" : "cases"), study.axes.empty() ? "" : "cases",
+        study.axes.empty() ? "there are no cases: neither axes nor cases is given." : "axes and cases are both given.",
+        study.axes.empty() ? "Add for example axes: {models.drag: [gidaspow, di_felice]}."
+                           : "Keep one of the two; a case may set several values.");
   study.reference = read_reference(*root.node("reference"), folder);
   study.metrics = read_metrics(root);
   study.metrics_mark = root.mark("metrics");

@@ -14,11 +14,11 @@ namespace similitude {
 
 /// One value of a case that a study changes.
 struct Setting {
-  std::string path;    // "models.drag"
-  std::string value;   // as for --set: "{id: link, n: 1.5}"
-  std::string label;   // for names: "link_n_1.5"
+  std::string path;   // "models.drag"
+  std::string value;  // as for --set: "{id: link, n: 1.5}"
+  std::string label;  // for names: "link_n_1.5"
   SourceMark mark;
-  std::string written_at;   // path in the study file: "axes.models.drag"
+  std::string written_at;  // path in the study file: "axes.models.drag"
   std::string assignment() const { return path + "=" + value; }
 };
 
@@ -37,29 +37,29 @@ enum class ReferenceKind { one_of_the_cases, stored_run, measured_data };
 
 struct StudyReference {
   ReferenceKind kind = ReferenceKind::one_of_the_cases;
-  std::string name;                // of the case
-  std::filesystem::path path;      // of the run's folder or the data's file, absolute
+  std::string name;            // of the case
+  std::filesystem::path path;  // of the run's folder or the data's file, absolute
   std::string path_as_written;
-  double leg = 0;                  // [s] of the real bed: the stored run's case is run so long to time it here; 0: not
+  double leg = 0;  // [s] of the real bed: the stored run's case is run so long to time it here; 0: not
   SourceMark mark;
 };
 
 struct StudyFile {
-  std::string title, name;             // name: the file's stem
-  std::filesystem::path file, base;    // absolute base
-  std::vector<Setting> set;            // for all cases
+  std::string title, name;           // name: the file's stem
+  std::filesystem::path file, base;  // absolute base
+  std::vector<Setting> set;          // for all cases
   std::vector<StudyAxis> axes;
   std::vector<NamedCase> cases;
   StudyReference reference;
   std::vector<const Metric*> metrics;  // the first is the frontier's
   SourceMark metrics_mark;
-  std::optional<double> from;          // [s]
-  std::optional<std::string> smoothing;   // as written: goes to --set
+  std::optional<double> from;            // [s]
+  std::optional<std::string> smoothing;  // as written: goes to --set
   SourceMark smoothing_mark, from_mark;
   std::string from_text;
   int repeats = 1;
-  double short_run = 0;                // [s] of wall time: shorter runs are repeated
-  int threads = 0;                     // 0: all cores
+  double short_run = 0;  // [s] of wall time: shorter runs are repeated
+  int threads = 0;       // 0: all cores
 };
 
 /// The version of the format, the value of the key `similitude_study`.

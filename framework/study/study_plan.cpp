@@ -18,7 +18,7 @@ namespace similitude {
 namespace {
 
 constexpr const char* k_smoothing_path = "coupling.smoothing";
-constexpr double k_same_place = 1e-6;   // relative, of heights
+constexpr double k_same_place = 1e-6;  // relative, of heights
 
 /// Does the case, as it is or as it is set, average profiles? Only then can it be told from when.
 bool averages_profiles(const StudyFile& study, const std::vector<Setting>& settings) {
@@ -35,18 +35,22 @@ std::vector<Setting> settings_of(const StudyFile& study, const NamedCase& one) {
   std::vector<Setting> all = study.set;
   if (study.smoothing) all.push_back({k_smoothing_path, *study.smoothing, "", study.smoothing_mark, "smoothing"});
   all.insert(all.end(), one.settings.begin(), one.settings.end());
-  if (study.from && averages_profiles(study, all)) all.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
+  if (study.from && averages_profiles(study, all))
+    all.push_back({"output.profiles.from", study.from_text, "", study.from_mark, "from"});
   return all;
 }
 
 /// What a message about "--set: path: …" says in the study's own terms: the place where the value was written.
 template <class Error>
-[[noreturn]] void tell_in_terms_of_study(const Error& error, const std::vector<Setting>& settings, const std::string& name) {
+[[noreturn]] void tell_in_terms_of_study(const Error& error, const std::vector<Setting>& settings,
+                                         const std::string& name) {
   const std::string text = error.what(), mark = "--set: ";
-  const std::string path = text.starts_with(mark) ? text.substr(mark.size(), text.find(": ", mark.size()) - mark.size()) : "";
+  const std::string path =
+      text.starts_with(mark) ? text.substr(mark.size(), text.find(": ", mark.size()) - mark.size()) : "";
   const Setting* meant = nullptr;
   for (const Setting& setting : settings)
-    if (path == setting.path || path.starts_with(setting.path + ".") || setting.path.starts_with(path + ".")) meant = &setting;
+    if (path == setting.path || path.starts_with(setting.path + ".") || setting.path.starts_with(path + "."))
+      meant = &setting;
   if (meant == nullptr || path.empty()) throw Error(text + "\n  This is about the case " + name + " of the study.");
   const std::string rest = path.starts_with(meant->path) ? path.substr(meant->path.size()) : "";
   const std::string what = text.substr(mark.size() + path.size() + 2);
@@ -55,8 +59,8 @@ template <class Error>
 
 struct ReadCase {
   CaseFile file;
-  double default_smoothing = 0;   // [m] of the real bed
-  double dt = 0;                  // [s] of the real bed
+  double default_smoothing = 0;  // [m] of the real bed
+  double dt = 0;                 // [s] of the real bed
 };
 
 ReadCase read_and_assemble(const StudyFile& study, const Catalogue& catalogue, const std::vector<Setting>& settings,
@@ -91,21 +95,23 @@ bool any_profile_metric(const StudyFile& study) {
 void check_window(const StudyFile& study, const PlannedCase& planned) {
   if (planned.from < planned.end) return;
   throw InputError(study.from ? study.from_mark : study.metrics_mark, study.from ? "from" : "metrics",
-                   "averages would start at " + format_quantity(planned.from, "s") + ", but the case " + planned.name + " ends at " +
-                       format_quantity(planned.end, "s") + ".",
+                   "averages would start at " + format_quantity(planned.from, "s") + ", but the case " + planned.name +
+                       " ends at " + format_quantity(planned.end, "s") + ".",
                    "Start earlier (from), or run longer (set: {time.end: …}).");
 }
 
 void check_heights(const StudyFile& study, const PlannedCase& planned, const RealScene& scene) {
   if (!any_profile_metric(study)) return;
   if (scene.output.profiles.z.empty())
-    throw InputError(study.metrics_mark, "metrics", "profiles are compared at heights, but the case " + planned.name + " has none.",
+    throw InputError(study.metrics_mark, "metrics",
+                     "profiles are compared at heights, but the case " + planned.name + " has none.",
                      "Add for example set: {output.profiles.z: [50 mm]}.");
   for (const double z : scene.output.profiles.z)
     if (z > scene.size[2])
       throw InputError(study.metrics_mark, "metrics",
-                       "profiles are compared at the height " + format_quantity(z, "mm") + ", which is outside the bed of " +
-                           format_quantity(scene.size[2], "mm") + " of the case " + planned.name + ".",
+                       "profiles are compared at the height " + format_quantity(z, "mm") +
+                           ", which is outside the bed of " + format_quantity(scene.size[2], "mm") + " of the case " +
+                           planned.name + ".",
                        "Change output.profiles.z.");
 }
 
@@ -121,7 +127,8 @@ std::size_t find_reference(const StudyFile& study, const std::vector<PlannedCase
 }
 
 bool has_height(const std::vector<double>& heights, double z) {
-  return std::any_of(heights.begin(), heights.end(), [&](double h) { return std::abs(h - z) <= k_same_place * std::abs(z); });
+  return std::any_of(heights.begin(), heights.end(),
+                     [&](double h) { return std::abs(h - z) <= k_same_place * std::abs(z); });
 }
 
 void check_stored_heights(const StudyPlan& plan, const std::vector<double>& heights) {
@@ -134,7 +141,8 @@ void check_stored_heights(const StudyPlan& plan, const std::vector<double>& heig
     for (const double z : heights)
       if (!has_height(stored, z))
         throw InputError(plan.study.reference.mark, "reference",
-                         "the run in " + plan.study.reference.path_as_written + " has no " + metric->source + " at the height " + format_quantity(z, "mm") + ".",
+                         "the run in " + plan.study.reference.path_as_written + " has no " + metric->source +
+                             " at the height " + format_quantity(z, "mm") + ".",
                          "Compare at its heights (output.profiles.z), or run it again with this one.");
   }
 }
@@ -144,13 +152,17 @@ void check_measured(const StudyPlan& plan, const std::vector<double>& heights) {
     if (metric->kind == MetricKind::residual) continue;
     const Profile* profile = metric->of_profile() ? plan.outside->profile(metric->source) : nullptr;
     if (profile == nullptr && !plan.outside->given.contains(metric->name))
-      throw InputError(plan.study.reference.mark, "reference.data", "the measured data hold nothing for the metric " + std::string(metric->name) + ".",
-                       std::string("Add rows with the sampler ") + (metric->of_profile() ? metric->source : metric->name) + ", or take the metric off the list.");
+      throw InputError(plan.study.reference.mark, "reference.data",
+                       "the measured data hold nothing for the metric " + std::string(metric->name) + ".",
+                       std::string("Add rows with the sampler ") +
+                           (metric->of_profile() ? metric->source : metric->name) +
+                           ", or take the metric off the list.");
     if (profile == nullptr) continue;
     for (const ProfileBin& bin : profile->bins)
       if (!has_height(heights, bin.z))
         throw InputError(plan.study.reference.mark, "reference.data",
-                         "the data hold " + std::string(metric->source) + " at the height " + format_quantity(bin.z, "mm") + ", where the cases have no profile.",
+                         "the data hold " + std::string(metric->source) + " at the height " +
+                             format_quantity(bin.z, "mm") + ", where the cases have no profile.",
                          "Add this height to output.profiles.z.");
   }
 }
@@ -166,8 +178,9 @@ double profiles_from(const std::string& resolved) {
 void read_stored_run(StudyPlan& plan, const std::vector<double>& heights) {
   const StudyReference& reference = plan.study.reference;
   if (!has_manifest(reference.path))
-    throw InputError(reference.mark, "reference.run", "there is no run in " + reference.path.string() + ".",
-                     "A relative path starts at the study's folder. Run the reference first: similitude run CASE -o FOLDER.");
+    throw InputError(
+        reference.mark, "reference.run", "there is no run in " + reference.path.string() + ".",
+        "A relative path starts at the study's folder. Run the reference first: similitude run CASE -o FOLDER.");
   plan.stored = read_manifest(reference.path);
   if (!plan.stored->done())
     throw InputError(reference.mark, "reference.run",
@@ -177,9 +190,11 @@ void read_stored_run(StudyPlan& plan, const std::vector<double>& heights) {
   plan.stored_timing = read_timing(reference.path);
   const double from = plan.cases.front().from;
   plan.outside = read_observations(reference.path, from);
-  if (const double stored_from = profiles_from(plan.stored->case_text); std::abs(stored_from - from) > k_same_place * from)
-    plan.warnings.push_back("the profiles of " + reference.path_as_written + " are averaged from " + format_quantity(stored_from, "s") +
-                            " on, those of the cases from " + format_quantity(from, "s") + ".");
+  if (const double stored_from = profiles_from(plan.stored->case_text);
+      std::abs(stored_from - from) > k_same_place * from)
+    plan.warnings.push_back("the profiles of " + reference.path_as_written + " are averaged from " +
+                            format_quantity(stored_from, "s") + " on, those of the cases from " +
+                            format_quantity(from, "s") + ".");
   check_stored_heights(plan, heights);
 }
 
@@ -187,7 +202,8 @@ void read_stored_run(StudyPlan& plan, const std::vector<double>& heights) {
 
 std::string StudyPlan::reference_name() const {
   if (reference_case) return cases[*reference_case].name;
-  return study.reference.path.has_filename() ? study.reference.path.filename().string() : study.reference.path.parent_path().filename().string();
+  return study.reference.path.has_filename() ? study.reference.path.filename().string()
+                                             : study.reference.path.parent_path().filename().string();
 }
 
 StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
@@ -205,7 +221,7 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     left_to_default = left_to_default && !read.back().file.scene.smoothing_length;
     largest = std::max(largest, read.back().default_smoothing);
   }
-  std::vector<Setting> chosen;   // by the study: what no single case could say
+  std::vector<Setting> chosen;  // by the study: what no single case could say
   if (left_to_default) {
     Setting& smoothing = chosen.emplace_back();
     smoothing.path = k_smoothing_path;
@@ -232,7 +248,8 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     plan.cases.push_back(std::move(planned));
   }
   bool one_length = true;
-  for (const ReadCase& one : read) one_length = one_length && one.file.scene.smoothing_length == read.front().file.scene.smoothing_length;
+  for (const ReadCase& one : read)
+    one_length = one_length && one.file.scene.smoothing_length == read.front().file.scene.smoothing_length;
   if (one_length) plan.smoothing = read.front().file.scene.smoothing_length;
 
   const std::vector<double>& heights = read.front().file.scene.output.profiles.z;

@@ -32,26 +32,34 @@ json metric_json(const MetricResult& result) {
   page["bins_left_out"] = result.bins_left_out;
   page["heights"] = json::array();
   for (const ErrorAtHeight& height : result.heights)
-    page["heights"].push_back({{"z", height.z}, {"l2", interval(height.l2)}, {"difference", interval(height.difference)}});
+    page["heights"].push_back(
+        {{"z", height.z}, {"l2", interval(height.l2)}, {"difference", interval(height.difference)}});
   return page;
 }
 
 json profile_json(const Profile& profile) {
   json page{{"sampler", profile.sampler}, {"bins", json::array()}};
   for (const ProfileBin& bin : profile.bins)
-    page["bins"].push_back({{"x", bin.x}, {"z", bin.z}, {"mean", number(bin.mean)}, {"standard_error", number(bin.standard_error)}, {"blocks", number(bin.blocks)}});
+    page["bins"].push_back({{"x", bin.x},
+                            {"z", bin.z},
+                            {"mean", number(bin.mean)},
+                            {"standard_error", number(bin.standard_error)},
+                            {"blocks", number(bin.blocks)}});
   return page;
 }
 
 json stages_json(const RunTiming& timing) {
   json list = json::array();
-  for (const RunTiming::Stage& stage : timing.stages) list.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"share", stage.share}});
+  for (const RunTiming::Stage& stage : timing.stages)
+    list.push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"share", stage.share}});
   return list;
 }
 
 json case_json(const StudyPlan& plan, const StudyCase& one, std::size_t index) {
   const bool planned = index < plan.cases.size();
-  json page{{"name", one.name}, {"folder", planned ? one.name : plan.study.reference.path.string()}, {"reference", one.reference}};
+  json page{{"name", one.name},
+            {"folder", planned ? one.name : plan.study.reference.path.string()},
+            {"reference", one.reference}};
   page["settings"] = json::object();
   if (planned)
     for (const Setting& setting : plan.cases[index].settings) page["settings"][setting.path] = setting.value;
@@ -82,9 +90,11 @@ json case_json(const StudyPlan& plan, const StudyCase& one, std::size_t index) {
 json reference_json(const StudyPlan& plan) {
   const StudyReference& reference = plan.study.reference;
   json page{{"name", plan.reference_name()}};
-  page["kind"] = reference.kind == ReferenceKind::one_of_the_cases ? "case" : reference.kind == ReferenceKind::stored_run ? "run" : "data";
+  page["kind"] = reference.kind == ReferenceKind::one_of_the_cases ? "case"
+                 : reference.kind == ReferenceKind::stored_run     ? "run"
+                                                                   : "data";
   if (reference.kind != ReferenceKind::one_of_the_cases) page["path"] = reference.path.string();
-  page["profiles"] = json::array();   // of measured data; those of a run stand at its case
+  page["profiles"] = json::array();  // of measured data; those of a run stand at its case
   if (reference.kind == ReferenceKind::measured_data)
     for (const Profile& profile : plan.outside->profiles) page["profiles"].push_back(profile_json(profile));
   return page;
@@ -97,45 +107,67 @@ json study_json(const StudyPlan& plan, const StudyResult& result) {
   page["title"] = plan.study.title;
   page["study_file"] = plan.study.file.string();
   page["base"] = plan.study.base.string();
-  page["machine"] = {{"processor", result.machine.processor}, {"cores", result.machine.cores}, {"kernel", result.machine.kernel}};
+  page["machine"] = {
+      {"processor", result.machine.processor}, {"cores", result.machine.cores}, {"kernel", result.machine.kernel}};
   page["threads"] = plan.study.threads > 0 ? plan.study.threads : result.machine.cores;
   page["smoothing_m"] = plan.smoothing ? json(*plan.smoothing) : json(nullptr);
   page["reference"] = reference_json(plan);
   page["metrics"] = json::array();
-  for (const Metric* metric : plan.study.metrics) page["metrics"].push_back({{"name", metric->name}, {"unit", metric->unit}, {"source", metric->source}, {"doc", metric->doc}});
+  for (const Metric* metric : plan.study.metrics)
+    page["metrics"].push_back(
+        {{"name", metric->name}, {"unit", metric->unit}, {"source", metric->source}, {"doc", metric->doc}});
   page["axes"] = json::array();
   for (const StudyAxis& axis : plan.study.axes) page["axes"].push_back(axis.path);
   page["cases"] = json::array();
   for (std::size_t k = 0; k < result.cases.size(); ++k) page["cases"].push_back(case_json(plan, result.cases[k], k));
   json steps = json::array();
   for (const FrontierStep& step : result.frontier.steps)
-    steps.push_back({{"from", step.from}, {"to", step.to}, {"time_ratio", step.time_ratio}, {"error_change", step.error_change}, {"distinguishable", step.distinguishable}});
+    steps.push_back({{"from", step.from},
+                     {"to", step.to},
+                     {"time_ratio", step.time_ratio},
+                     {"error_change", step.error_change},
+                     {"distinguishable", step.distinguishable}});
   page["frontier"] = {{"metric", plan.study.metrics.front()->name}, {"cases", result.frontier.cases}, {"steps", steps}};
   page["indistinguishable"] = json::object();
-  for (std::size_t m = 0; m < plan.study.metrics.size(); ++m) page["indistinguishable"][plan.study.metrics[m]->name] = result.indistinguishable[m];
+  for (std::size_t m = 0; m < plan.study.metrics.size(); ++m)
+    page["indistinguishable"][plan.study.metrics[m]->name] = result.indistinguishable[m];
   page["orders"] = json::array();
   for (const StudyOrder& order : result.orders)
-    page["orders"].push_back({{"axis", order.axis}, {"metric", order.metric}, {"cases", order.cases}, {"order", interval(order.order)}});
+    page["orders"].push_back(
+        {{"axis", order.axis}, {"metric", order.metric}, {"cases", order.cases}, {"order", interval(order.order)}});
   page["advice"] = result.advice;
   return page;
 }
 
 void write_csv(const StudyPlan& plan, const StudyResult& result, const std::filesystem::path& folder) {
-  std::vector<std::string> columns{"case", "status", "reference", "pareto", "particles", "wall [s]", "particle_steps [1]", "particle_steps_per_s [1/s]", "peak_memory [B]"};
+  std::vector<std::string> columns{"case",           "status",   "reference",          "pareto",
+                                   "particles",      "wall [s]", "particle_steps [1]", "particle_steps_per_s [1/s]",
+                                   "peak_memory [B]"};
   for (const Metric* metric : plan.study.metrics)
-    for (const std::string& part : {std::string(metric->name) + " [" + metric->unit + "]", std::string(metric->name) + " error [1]", std::string(metric->name) + " error low [1]",
-                                    std::string(metric->name) + " error high [1]", std::string(metric->name) + " lower bound"})
+    for (const std::string& part :
+         {std::string(metric->name) + " [" + metric->unit + "]", std::string(metric->name) + " error [1]",
+          std::string(metric->name) + " error low [1]", std::string(metric->name) + " error high [1]",
+          std::string(metric->name) + " lower bound"})
       columns.push_back(part);
   const std::filesystem::path part = folder / "study.csv.part";
   {
     CsvWriter csv(part, columns);
     for (const StudyCase& one : result.cases) {
-      std::vector<std::string> row{one.name, one.status, one.reference ? "true" : "false", one.pareto ? "true" : "false", std::to_string(one.particles), csv_number(one.wall_s),
-                                   csv_number(one.timing.particle_steps), csv_number(one.timing.particle_steps_per_s), csv_number(one.peak_memory_bytes)};
+      std::vector<std::string> row{one.name,
+                                   one.status,
+                                   one.reference ? "true" : "false",
+                                   one.pareto ? "true" : "false",
+                                   std::to_string(one.particles),
+                                   csv_number(one.wall_s),
+                                   csv_number(one.timing.particle_steps),
+                                   csv_number(one.timing.particle_steps_per_s),
+                                   csv_number(one.peak_memory_bytes)};
       for (std::size_t m = 0; m < plan.study.metrics.size(); ++m) {
-        const MetricResult none{.metric = plan.study.metrics[m], .value = gap("not run"), .error = gap("not run"), .heights = {}};
+        const MetricResult none{
+            .metric = plan.study.metrics[m], .value = gap("not run"), .error = gap("not run"), .heights = {}};
         const MetricResult& of = m < one.results.size() ? one.results[m] : none;
-        for (const double value : {of.value.value, of.error.value, of.error.low, of.error.high}) row.push_back(csv_number(value));
+        for (const double value : {of.value.value, of.error.value, of.error.low, of.error.high})
+          row.push_back(csv_number(value));
         row.push_back(of.error.known() ? (of.error.lower_bound ? "true" : "false") : "");
       }
       csv.row_of_text(row);
@@ -150,7 +182,8 @@ void write_csv(const StudyPlan& plan, const StudyResult& result, const std::file
 
 void write_study(const StudyPlan& plan, const StudyResult& result, const std::filesystem::path& folder) {
   write_csv(plan, result, folder);
-  write_whole_file(folder / "study.json", study_json(plan, result).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_whole_file(folder / "study.json",
+                   study_json(plan, result).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace similitude

@@ -20,7 +20,8 @@ Series wave(double frequency, double amplitude, double noise, std::size_t length
   std::normal_distribution<double> normal;
   Series series{.interval = 0.01, .values = {}};
   for (std::size_t k = 0; k < length; ++k)
-    series.values.push_back(5 + amplitude * std::sin(2 * std::numbers::pi * frequency * 0.01 * static_cast<double>(k)) + noise * normal(random));
+    series.values.push_back(5 + amplitude * std::sin(2 * std::numbers::pi * frequency * 0.01 * static_cast<double>(k)) +
+                            noise * normal(random));
   return series;
 }
 
@@ -49,7 +50,8 @@ TEST(BlockedMean, OfIndependentValuesIsTheTextBooksStandardError) {
   std::mt19937_64 random(1);
   const BlockedMean mean = blocked_mean(autoregressive(0, 20000, random));
   EXPECT_TRUE(mean.plateau);
-  EXPECT_NEAR(mean.standard_error, 1 / std::sqrt(20000.0), 0.1 / std::sqrt(20000.0));   // some 600 blocks: 3 % of scatter
+  EXPECT_NEAR(mean.standard_error, 1 / std::sqrt(20000.0),
+              0.1 / std::sqrt(20000.0));  // some 600 blocks: 3 % of scatter
   EXPECT_GT(mean.effective_samples, 16000);
 }
 
@@ -58,7 +60,7 @@ TEST(BlockedMean, FindsTheMemoryOfTheSeries) {
   std::mt19937_64 random(2);
   const BlockedMean mean = blocked_mean(autoregressive(0.9, 19000, random));
   EXPECT_TRUE(mean.plateau);
-  EXPECT_NEAR(mean.effective_samples, 1000, 250);   // some 90 blocks: 15 % of scatter in se^2
+  EXPECT_NEAR(mean.effective_samples, 1000, 250);  // some 90 blocks: 15 % of scatter in se^2
   EXPECT_GT(mean.block_length, 2 * 19U);
 }
 
@@ -78,8 +80,9 @@ TEST(BlockedMean, AConstantIsKnownExactly) {
   EXPECT_FALSE(mean.lower_bound);
 }
 
-// 95 % are meant. The least is what 1000 trials of a series with a memory of a fiftieth of its length can give: block averages know
-// the memory only roughly, and no method of one series does better (Flyvbjerg & Petersen 1989, section III).
+// 95 % are meant. The least is what 1000 trials of a series with a memory of a fiftieth of its length can give: block
+// averages know the memory only roughly, and no method of one series does better (Flyvbjerg & Petersen 1989, section
+// III).
 TEST(MeanOfSeries, IntervalHoldsTheTruth) {
   EXPECT_NEAR(coverage(0, 400, 0, mean_of), 0.95, 0.025);
   EXPECT_NEAR(coverage(0.8, 2000, 0, mean_of), 0.95, 0.025);
@@ -88,8 +91,8 @@ TEST(MeanOfSeries, IntervalHoldsTheTruth) {
 
 TEST(MeanOfSeries, FewIndependentSamplesAreALowerBound) {
   std::mt19937_64 random(3);
-  EXPECT_TRUE(mean_of(every_10_ms(autoregressive(0.95, 300, random))).lower_bound);    // g = 39: 8 samples
-  EXPECT_FALSE(mean_of(every_10_ms(autoregressive(0.5, 3000, random))).lower_bound);   // g = 3: 1000
+  EXPECT_TRUE(mean_of(every_10_ms(autoregressive(0.95, 300, random))).lower_bound);   // g = 39: 8 samples
+  EXPECT_FALSE(mean_of(every_10_ms(autoregressive(0.5, 3000, random))).lower_bound);  // g = 3: 1000
 }
 
 TEST(MeanOfSeries, TooFewRowsAreAGap) {
@@ -101,22 +104,21 @@ TEST(FluctuationOfSeries, OfASineIsItsAmplitudeOverRootTwo) {
   EXPECT_NEAR(fluctuation.value, 3 / std::numbers::sqrt2, 0.01);
 }
 
-TEST(FluctuationOfSeries, IntervalHoldsTheTruth) {
-  EXPECT_GT(coverage(0.5, 2000, 1, fluctuation_of), 0.91);
-}
+TEST(FluctuationOfSeries, IntervalHoldsTheTruth) { EXPECT_GT(coverage(0.5, 2000, 1, fluctuation_of), 0.91); }
 
 TEST(DominantFrequency, OfASineIsItsFrequency) {
   const Estimate frequency = dominant_frequency_of(wave(5.3, 1, 0.3, 300));
   EXPECT_NEAR(frequency.value, 5.3, 0.1);
   EXPECT_LT(frequency.low, 5.3);
   EXPECT_GT(frequency.high, 5.3);
-  EXPECT_NEAR(frequency.half_width(), 1 / 1.5, 0.1);   // [Hz]: a window of 1.5 s
+  EXPECT_NEAR(frequency.half_width(), 1 / 1.5, 0.1);  // [Hz]: a window of 1.5 s
 }
 
 TEST(DominantFrequency, ASlowDriftHasNone) {
   std::vector<double> ramp(300);
   for (std::size_t k = 0; k < ramp.size(); ++k) ramp[k] = static_cast<double>(k);
-  EXPECT_EQ(dominant_frequency_of(every_10_ms(ramp)).gap, "no frequency stands out above the slowest that the window resolves");
+  EXPECT_EQ(dominant_frequency_of(every_10_ms(ramp)).gap,
+            "no frequency stands out above the slowest that the window resolves");
 }
 
 TEST(EvenSeries, PutsUnevenRowsOnEvenTimes) {

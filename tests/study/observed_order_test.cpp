@@ -18,7 +18,8 @@ Estimate within(double value, double share) {
 /// Errors C h^p (against the step r: C (h^p - r^p)) of steps 4, 2 and 1 microseconds.
 std::vector<OrderPoint> errors(double order, double reference, double noise) {
   std::vector<OrderPoint> points;
-  for (const double h : {4e-6, 2e-6, 1e-6}) points.push_back({h, within(1e4 * (std::pow(h, order) - std::pow(reference, order)), noise)});
+  for (const double h : {4e-6, 2e-6, 1e-6})
+    points.push_back({h, within(1e4 * (std::pow(h, order) - std::pow(reference, order)), noise)});
   return points;
 }
 
@@ -28,11 +29,13 @@ std::vector<OrderPoint> errors(double order, double reference, double noise) {
 constexpr double k_of_a_minimum = 1e-5;
 
 TEST(ObservedOrder, IsThatOfThePowerLaw) {
-  for (const double order : {1.0, 1.5, 2.0, 4.0}) EXPECT_NEAR(observed_order(errors(order, 0, 0.01), 0).value, order, k_of_a_minimum);
+  for (const double order : {1.0, 1.5, 2.0, 4.0})
+    EXPECT_NEAR(observed_order(errors(order, 0, 0.01), 0).value, order, k_of_a_minimum);
 }
 
 TEST(ObservedOrder, ErrorsAgainstTheFinestStepAreCorrectedForItsOwn) {
-  for (const double order : {1.0, 2.0}) EXPECT_NEAR(observed_order(errors(order, 0.5e-6, 0.01), 0.5e-6).value, order, k_of_a_minimum);
+  for (const double order : {1.0, 2.0})
+    EXPECT_NEAR(observed_order(errors(order, 0.5e-6, 0.01), 0.5e-6).value, order, k_of_a_minimum);
 }
 
 TEST(ObservedOrder, IntervalComesFromTheErrors) {

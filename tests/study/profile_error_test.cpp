@@ -14,8 +14,10 @@ namespace {
 
 constexpr std::size_t k_bins = 15;
 
-/// A profile of one height as a run would leave it: `truth` of a bin plus noise that remembers, part of it common to all bins.
-Profile sampled(const std::function<double(double)>& truth, double noise, double common, std::mt19937_64& random, double z = 0.1) {
+/// A profile of one height as a run would leave it: `truth` of a bin plus noise that remembers, part of it common to
+/// all bins.
+Profile sampled(const std::function<double(double)>& truth, double noise, double common, std::mt19937_64& random,
+                double z = 0.1) {
   constexpr std::size_t k_instants = 1900;
   constexpr double k_memory = 0.8;
   const std::vector<double> shared = autoregressive(k_memory, k_instants, random);
@@ -26,14 +28,19 @@ Profile sampled(const std::function<double(double)>& truth, double noise, double
     BlockAverage average;
     for (std::size_t t = 0; t < k_instants; ++t)
       average.add(truth(x) + noise * (std::sqrt(common) * shared[t] + std::sqrt(1 - common) * own[t]), 1);
-    ProfileBin bin{.x = x, .z = z, .mean = average.mean(), .standard_error = average.standard_error(), .blocks = average.effective_blocks(), .in_blocks = {}};
+    ProfileBin bin{.x = x,
+                   .z = z,
+                   .mean = average.mean(),
+                   .standard_error = average.standard_error(),
+                   .blocks = average.effective_blocks(),
+                   .in_blocks = {}};
     for (const auto& block : average.blocks()) bin.in_blocks.push_back({block.weighted, block.weight});
     profile.bins.push_back(bin);
   }
   return profile;
 }
 
-double parabola(double x) { return 1 - 400 * (x - 0.0375) * (x - 0.0375); }   // largest: 1
+double parabola(double x) { return 1 - 400 * (x - 0.0375) * (x - 0.0375); }  // largest: 1
 double lower_parabola(double x) { return parabola(x) - 0.1; }
 
 Profile measured(std::vector<ProfileBin> bins) {
@@ -56,7 +63,7 @@ TEST(ProfileError, OfAShiftIsTheShiftOverTheReferencesLargest) {
   EXPECT_NEAR(error.l2.value, 0.1, 1e-12);
   EXPECT_NEAR(error.maximum.value, 0.1, 1e-12);
   ASSERT_EQ(error.heights.size(), 1U);
-  EXPECT_NEAR(error.heights[0].difference.value, -0.1, 1e-12);   // the profile is low
+  EXPECT_NEAR(error.heights[0].difference.value, -0.1, 1e-12);  // the profile is low
   EXPECT_EQ(error.bins, k_bins);
 }
 
@@ -67,9 +74,10 @@ TEST(ProfileError, IsNormalisedByTheReferenceNotByTheProfile) {
 
 TEST(ProfileError, ComparesAtTheReferencesPlaces) {
   // Measured halfway between two bins of a straight line, and beyond the last bin's centre.
-  const ProfileError error = profile_error(exact([](double x) { return x; }),
-                                           measured({{.x = 0.010, .z = 0.1, .mean = 0.010, .standard_error = 0, .blocks = 0, .in_blocks = {}},
-                                                     {.x = 0.090, .z = 0.1, .mean = 0.090, .standard_error = 0, .blocks = 0, .in_blocks = {}}}));
+  const ProfileError error = profile_error(
+      exact([](double x) { return x; }),
+      measured({{.x = 0.010, .z = 0.1, .mean = 0.010, .standard_error = 0, .blocks = 0, .in_blocks = {}},
+                {.x = 0.090, .z = 0.1, .mean = 0.090, .standard_error = 0, .blocks = 0, .in_blocks = {}}}));
   EXPECT_EQ(error.bins, 1U);
   EXPECT_EQ(error.left_out, 1U);
   EXPECT_NEAR(error.l2.value, 0, 1e-12);
@@ -99,12 +107,13 @@ TEST(ProfileError, TwoSamplesOfOneBedCannotBeToldApart) {
     double mean_square = 0;
     constexpr int k_trials = 100;
     for (int t = 0; t < k_trials; ++t) {
-      const ProfileError error = profile_error(sampled(parabola, 1, common, random), sampled(parabola, 1, common, random));
+      const ProfileError error =
+          profile_error(sampled(parabola, 1, common, random), sampled(parabola, 1, common, random));
       reaches_zero += error.l2.low == 0;
       mean_square += error.l2.value * error.l2.value / k_trials;
     }
     EXPECT_GE(reaches_zero, 95) << "common part " << common;
-    EXPECT_LT(std::sqrt(mean_square), 0.15) << "common part " << common;   // the noise of a bin's mean is 0.07 each
+    EXPECT_LT(std::sqrt(mean_square), 0.15) << "common part " << common;  // the noise of a bin's mean is 0.07 each
   }
 }
 
@@ -114,7 +123,8 @@ TEST(ProfileError, IntervalHoldsTheTrueError) {
     int held = 0, held_by_maximum = 0, held_by_difference = 0;
     constexpr int k_trials = 200;
     for (int t = 0; t < k_trials; ++t) {
-      const ProfileError error = profile_error(sampled(lower_parabola, 0.5, common, random), sampled(parabola, 0.5, common, random));
+      const ProfileError error =
+          profile_error(sampled(lower_parabola, 0.5, common, random), sampled(parabola, 0.5, common, random));
       // The scale is the noisy reference's largest mean: 1 within some per cent.
       held += error.l2.low <= 0.1 && 0.1 <= error.l2.high;
       held_by_maximum += error.maximum.low <= 0.1 && 0.1 <= error.maximum.high;

@@ -28,7 +28,8 @@ class RunFiles : public ::testing::Test {
       action();
     } catch (const InputError& error) {
       std::string what = error.what();
-      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos; at = what.find(folder.string() + "/"))
+      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos;
+           at = what.find(folder.string() + "/"))
         what.erase(at, folder.string().size() + 1);
       return what;
     }
@@ -59,32 +60,39 @@ TEST_F(RunFiles, MeasuredDataGiveProfilesAndSingleNumbers) {
   ASSERT_NE(profile, nullptr);
   EXPECT_TRUE(profile->measured);
   EXPECT_EQ(profile->bins[0].standard_error, 0.02);
-  EXPECT_NEAR(data.given.at("pressure_drop").half_width(), 19.6, 0.01);   // 1.96 standard errors
+  EXPECT_NEAR(data.given.at("pressure_drop").half_width(), 19.6, 0.01);  // 1.96 standard errors
 }
 
 TEST_F(RunFiles, MeasuredDataWithWrongColumns) {
   EXPECT_EQ(refusal_of_data("x,velocity\n0.1,2\n"),
-            "data.csv: measured data need the columns sampler, x, z, mean and, if known, standard error, but these are x, velocity.\n"
-            "  Name them in the first row. x and z in metres; sampler as in profiles.csv of a run, e.g. vertical_velocity [m/s].");
+            "data.csv: measured data need the columns sampler, x, z, mean and, if known, standard error, but these are "
+            "x, velocity.\n"
+            "  Name them in the first row. x and z in metres; sampler as in profiles.csv of a run, e.g. "
+            "vertical_velocity [m/s].");
 }
 
 TEST_F(RunFiles, MeasuredDataOfSomethingUnknown) {
   EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nvertical_velocty [m/s],0.1,0.1,2\n"),
-            "data.csv:2: there is nothing called \"vertical_velocty [m/s]\" to compare with.\n  Did you mean \"vertical_velocity [m/s]\"?\n"
-            "  Known: vertical_velocity [m/s], gas_fraction [1], pressure_drop, pressure_drop_fluctuation, bed_height, bed_height_fluctuation, "
+            "data.csv:2: there is nothing called \"vertical_velocty [m/s]\" to compare with.\n  Did you mean "
+            "\"vertical_velocity [m/s]\"?\n"
+            "  Known: vertical_velocity [m/s], gas_fraction [1], pressure_drop, pressure_drop_fluctuation, bed_height, "
+            "bed_height_fluctuation, "
             "dominant_frequency.");
 }
 
 TEST_F(RunFiles, MeasuredDataThatAreNoNumber) {
-  EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nbed_height,,,tall\n"), "data.csv:2: \"tall\" in column mean is no number.");
-  EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nbed_height,,2\n"), "data.csv:2: this row has 3 fields, but there are 4 columns.");
+  EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nbed_height,,,tall\n"),
+            "data.csv:2: \"tall\" in column mean is no number.");
+  EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nbed_height,,2\n"),
+            "data.csv:2: this row has 3 fields, but there are 4 columns.");
   EXPECT_EQ(refusal_of_data("sampler,x,z,mean\nvertical_velocity [m/s],,0.1,2\n"),
             "data.csv:2: a point of a profile needs x and z.\n  Both in metres.");
 }
 
 TEST_F(RunFiles, MetricsAreTakenAfterStartUp) {
   std::string rows = "time [s],pressure_drop [Pa],momentum_residual [1]\n";
-  for (int k = 0; k < 100; ++k) rows += std::to_string(0.01 * k) + "," + (k < 50 ? "1000" : k % 2 == 0 ? "201" : "199") + ",-1e-13\n";
+  for (int k = 0; k < 100; ++k)
+    rows += std::to_string(0.01 * k) + "," + (k < 50 ? "1000" : k % 2 == 0 ? "201" : "199") + ",-1e-13\n";
   write("monitors.csv", rows);
   const Observations seen = read_observations(folder, 0.5);
   const MetricResult drop = measure(*find_metric("pressure_drop"), seen, nullptr);
@@ -104,6 +112,6 @@ TEST_F(RunFiles, RelativeErrorAddsBothIntervals) {
   reference.given["bed_height"].low = 0.096, reference.given["bed_height"].high = 0.104;
   const Estimate error = measure(*find_metric("bed_height"), seen, &reference).error;
   EXPECT_NEAR(error.value, 0.1, 1e-12);
-  EXPECT_NEAR(error.high, 0.15, 1e-12);   // hypot(0.003, 0.004) / 0.1
+  EXPECT_NEAR(error.high, 0.15, 1e-12);  // hypot(0.003, 0.004) / 0.1
   EXPECT_NEAR(error.low, 0.05, 1e-12);
 }

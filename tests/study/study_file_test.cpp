@@ -33,7 +33,8 @@ class StudyFileTest : public ::testing::Test {
       read(text);
     } catch (const InputError& error) {
       std::string what = error.what();
-      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos; at = what.find(folder.string() + "/"))
+      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos;
+           at = what.find(folder.string() + "/"))
         what.erase(at, folder.string().size() + 1);
       return what;
     }
@@ -48,8 +49,8 @@ const std::string k_tail = "reference: a\nmetrics: [bed_height]\n";
 }  // namespace
 
 TEST_F(StudyFileTest, AxesMakeEveryCombinationTheLastFastest) {
-  const StudyFile study = read(k_head +
-                               "axes:\n  models.scaling: [exact, {id: link, n: 1.5}]\n  scene.domain.cell: [5 mm, 2.5 mm]\n" + k_tail);
+  const StudyFile study = read(
+      k_head + "axes:\n  models.scaling: [exact, {id: link, n: 1.5}]\n  scene.domain.cell: [5 mm, 2.5 mm]\n" + k_tail);
   std::vector<std::string> names;
   for (const NamedCase& one : cases_of(study)) names.push_back(one.name);
   EXPECT_THAT(names, ElementsAre("exact-cell_5mm", "exact-cell_2.5mm", "link_n_1.5-cell_5mm", "link_n_1.5-cell_2.5mm"));
@@ -73,36 +74,43 @@ TEST_F(StudyFileTest, NamedCasesKeepTheirNames) {
 
 TEST_F(StudyFileTest, UnknownKeyNamesTheNearest) {
   EXPECT_EQ(refusal(k_head + "axis: {}\n"),
-            "study.yaml:3:1: axis: there is no such key.\n  Did you mean \"axes\"?\n  Keys of a study: similitude_study, title, base, set, axes, "
+            "study.yaml:3:1: axis: there is no such key.\n  Did you mean \"axes\"?\n  Keys of a study: "
+            "similitude_study, title, base, set, axes, "
             "cases, reference, metrics, from, smoothing, repeats, short, threads.");
 }
 
 TEST_F(StudyFileTest, CaseFileIsToldFromAStudy) {
   EXPECT_EQ(refusal("similitude: 1\n"),
-            "study.yaml:1:1: similitude_study: this key is missing: it says for which version of the format a study is written.\n"
+            "study.yaml:1:1: similitude_study: this key is missing: it says for which version of the format a study is "
+            "written.\n"
             "  This looks like a case file: similitude run runs it.");
 }
 
 TEST_F(StudyFileTest, UnknownMetricNamesTheNearest) {
   EXPECT_EQ(refusal(k_head + "cases: [{name: a}]\nreference: a\nmetrics: [bed_heigth]\n"),
-            "study.yaml:5:11: metrics.0: there is no metric \"bed_heigth\".\n  Did you mean \"bed_height\"?\n  Metrics: velocity_profile, "
-            "velocity_profile_maximum, gas_fraction_profile, gas_fraction_profile_maximum, pressure_drop, pressure_drop_fluctuation, bed_height, "
+            "study.yaml:5:11: metrics.0: there is no metric \"bed_heigth\".\n  Did you mean \"bed_height\"?\n  "
+            "Metrics: velocity_profile, "
+            "velocity_profile_maximum, gas_fraction_profile, gas_fraction_profile_maximum, pressure_drop, "
+            "pressure_drop_fluctuation, bed_height, "
             "bed_height_fluctuation, dominant_frequency, momentum_residual, energy_residual, gas_balance_residual.");
 }
 
 TEST_F(StudyFileTest, MissingBaseIsNamed) {
-  EXPECT_EQ(refusal("similitude_study: 1\nbase: nowhere.yaml\n" + k_tail),
-            "study.yaml:2:7: base: there is no case file nowhere.yaml.\n  A relative path starts at the study's folder.");
+  EXPECT_EQ(
+      refusal("similitude_study: 1\nbase: nowhere.yaml\n" + k_tail),
+      "study.yaml:2:7: base: there is no case file nowhere.yaml.\n  A relative path starts at the study's folder.");
 }
 
 TEST_F(StudyFileTest, NeitherAxesNorCases) {
   EXPECT_EQ(refusal(k_head + k_tail),
-            "study.yaml:1:1: there are no cases: neither axes nor cases is given.\n  Add for example axes: {models.drag: [gidaspow, di_felice]}.");
+            "study.yaml:1:1: there are no cases: neither axes nor cases is given.\n  Add for example axes: "
+            "{models.drag: [gidaspow, di_felice]}.");
 }
 
 TEST_F(StudyFileTest, BothAxesAndCases) {
-  EXPECT_EQ(refusal(k_head + "axes: {time.dt: [1 us]}\ncases: [{name: a}]\n" + k_tail),
-            "study.yaml:4:8: cases: axes and cases are both given.\n  Keep one of the two; a case may set several values.");
+  EXPECT_EQ(
+      refusal(k_head + "axes: {time.dt: [1 us]}\ncases: [{name: a}]\n" + k_tail),
+      "study.yaml:4:8: cases: axes and cases are both given.\n  Keep one of the two; a case may set several values.");
 }
 
 TEST_F(StudyFileTest, AxisWithoutAList) {
