@@ -31,12 +31,18 @@ double energy_of(const ParticleStore& particles) {
 Accounts::Accounts(const ParticleStore& particles, double gas_mass)
     : state_{.momentum = momentum_of(particles), .energy = energy_of(particles), .gas_mass = gas_mass} {}
 
-void Accounts::add_flow(double inflow, double outflow, double dt) {
+void Accounts::add_gas_step(double inflow, double outflow, const BoundaryAction& boundary, const std::array<double, 3>& buoyancy,
+                            double dt) {
   state_.gas_in += inflow * dt;
   state_.gas_out += outflow * dt;
+  for (std::size_t a = 0; a < 3; ++a) {
+    state_.boundary_impulse[a] += boundary.force[a] * dt;
+    state_.buoyancy[a] += buoyancy[a] * dt;
+  }
+  state_.pumping_work += boundary.pumping * dt;
 }
 
-Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget& b, double gas_mass) const {
+Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget& b, const GasHeld& gas) const {
   Balances out;
   const std::array<double, 3> now = momentum_of(particles);
   std::array<double, 3> missing{};
@@ -50,7 +56,15 @@ Balances Accounts::balances(const ParticleStore& particles, const ParticleBudget
                                  (b.gravity_work + b.drag_work + b.stress_work + b.contact_work)),
                         state_.energy + std::abs(b.gravity_work) + std::abs(b.drag_work) + std::abs(b.stress_work) +
                             std::abs(b.contact_work));
-  out.gas_mass = relative(std::abs(gas_mass - state_.gas_mass - state_.gas_in + state_.gas_out), state_.gas_in + state_.gas_out > 0 ? state_.gas_in + state_.gas_out : state_.gas_mass);
+  const double through = state_.gas_in + state_.gas_out;
+  out.gas_mass = relative(std::abs(gas.mass - state_.gas_mass - state_.gas_in + state_.gas_out), through > 0 ? through : state_.gas_mass);
+
+  std::array<double, 3> given{}, lost{};   // by the gas to the particles, and what its boundary does not explain
+  for (std::size_t a = 0; a < 3; ++a) {
+    given[a] = b.drag_impulse[a] + b.stress_impulse[a] - state_.buoyancy[a];
+    lost[a] = state_.boundary_impulse[a] - given[a] - gas.momentum[a];
+  }
+  out.gas_momentum = relative(magnitude(lost), magnitude(state_.boundary_impulse) + magnitude(given));
   return out;
 }
 

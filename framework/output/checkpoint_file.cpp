@@ -197,6 +197,9 @@ void transfer_accounts(File& file, State& accounts) {
   file.value(at, "gas_mass_at_start [kg]", accounts.gas_mass);
   file.value(at, "gas_in [kg]", accounts.gas_in);
   file.value(at, "gas_out [kg]", accounts.gas_out);
+  file.vector(at, "boundary_impulse [N s]", accounts.boundary_impulse.data());
+  file.vector(at, "buoyancy [N s]", accounts.buoyancy.data());
+  file.value(at, "pumping_work [J]", accounts.pumping_work);
 }
 
 /// Averages of bins as plain columns: bins hold different numbers of blocks.

@@ -51,6 +51,9 @@ constexpr MonitorColumn k_columns[] = {
     {"momentum_residual [1]", [](const Monitors& m) { return m.residual.momentum; }},
     {"energy_residual [1]", [](const Monitors& m) { return m.residual.energy; }},
     {"gas_balance_residual [1]", [](const Monitors& m) { return m.residual.gas_mass; }},
+    {"boundary_impulse_z [kg m/s]", [](const Monitors& m) { return m.boundary_impulse; }},
+    {"pumping_work [J]", [](const Monitors& m) { return m.pumping_work; }},
+    {"gas_momentum_residual [1]", [](const Monitors& m) { return m.residual.gas_momentum; }},
 };
 
 /// [Pa], simulated: area mean of what the pressure patches hold; without such a patch the
@@ -192,6 +195,9 @@ Monitors observe(const Observed& simulated, const MapBack& map) {
   if (simulated.accounts) {
     m.gas_in = map.gas_mass(simulated.accounts->gas_in());
     m.gas_out = map.gas_mass(simulated.accounts->gas_out());
+    // By what they push and lift: the solids, so that these columns add up with theirs.
+    m.boundary_impulse = map.solids_mass(map.velocity(simulated.accounts->boundary_impulse()));
+    m.pumping_work = map.solids_mass(map.velocity(map.velocity(simulated.accounts->pumping_work())));
     m.residual = simulated.balances;
   }
   return m;

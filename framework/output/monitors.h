@@ -42,7 +42,9 @@ struct Monitors {
   double gravity_impulse = k_none, drag_impulse = k_none, stress_impulse = k_none, wall_impulse = k_none;  // [kg m/s], z
   double gravity_work = k_none, drag_work = k_none, stress_work = k_none, contact_work = k_none;           // [J]
   double gas_in = k_none, gas_out = k_none;                                                                // [kg]
-  Balances residual{k_none, k_none, k_none};                                                               // [-]
+  double boundary_impulse = k_none;                                                                        // [kg m/s], z
+  double pumping_work = k_none;                                                                            // [J]
+  Balances residual{k_none, k_none, k_none, k_none};                                                               // [-]
 };
 
 /// The simulated bed at an instant; null where the run has none.

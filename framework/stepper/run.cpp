@@ -98,6 +98,14 @@ std::vector<StageTime> sum_of(const std::vector<StageTime>& before, const std::v
   return sum;
 }
 
+/// What the books of the run are off by, e.g. after the last step.
+std::string books(const Balances& off) {
+  std::string line = fmt::format("books off by: solids momentum {:.1e}, solids energy {:.1e}, gas mass {:.1e}", off.momentum, off.energy,
+                                 off.gas_mass);
+  if (std::isfinite(off.gas_momentum)) line += fmt::format(", gas momentum {:.1e} (friction of walls included)", off.gas_momentum);
+  return line + "\n";
+}
+
 /// The time loop of a case with all that watches it.
 class CaseRun {
  public:
@@ -314,7 +322,8 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
     return k_exit_of_signal + signal_number;
   }
   if (!case_run.outputs().profiles().settings().heights.empty()) out << "\n" << profile_table(case_run.outputs().profiles());
-  out << fmt::format("\nresults in {}\n{}state {}\n", directory.path().string(), go_on, case_run.hash());
+  out << "\n" << books(simulation.balances());
+  out << fmt::format("results in {}\n{}state {}\n", directory.path().string(), go_on, case_run.hash());
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "stepper/simulation.h"
 
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 
 namespace similitude {
@@ -24,7 +25,8 @@ std::array<double, 3> cell_centre(const Grid& grid, std::size_t cell) {
 
 Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, ParticleStore particles,
                        std::function<void(const std::string&)> warn)
-    : assembly_(assembly), steps_(steps), particles_(std::move(particles)), guards_(assembly.results, std::move(warn), assembly.fluid_needs.any_courant_number == 0) {
+    : assembly_(assembly), steps_(steps), particles_(std::move(particles)), boundary_(*assembly.grid),
+      guards_(assembly.results, std::move(warn), assembly.fluid_needs.any_courant_number == 0) {
   const std::size_t cells = assembly.grid->cell_count();
   gas_.velocity.assign(3 * cells, 0);
   gas_.pressure.assign(cells, 0);
@@ -68,7 +70,17 @@ void Simulation::advance_gas() {
   gas_report_.struct_size = sizeof(gas_report_);
   assembly_.fluid.functions().advance(assembly_.fluid.instance(), &step, &gas_report_, &status);
   guards_.check_gas(gas_report_, status, step.time);
-  accounts_.add_flow(gas_report_.inflow, gas_report_.outflow, step.dt);
+  keep_books_of_gas(step.dt, step.time);
+}
+
+void Simulation::keep_books_of_gas(double dt, double at) {
+  const double density = assembly_.model.gas_density;
+  const Grid& grid = *assembly_.grid;
+  const double displaced = grid.cell_volume() * static_cast<double>(grid.cell_count()) - gas_mass() / density;   // [m^3]
+  std::array<double, 3> buoyancy{};
+  for (std::size_t axis = 0; axis < 3; ++axis) buoyancy[axis] = -density * displaced * assembly_.model.gravity[axis];
+  const BoundaryAction boundary = boundary_.action(gas_, exchange().gas_fraction, density, at);
+  accounts_.add_gas_step(gas_report_.inflow, gas_report_.outflow, boundary, buoyancy, dt);
 }
 
 void Simulation::assemble_stages() {
@@ -156,7 +168,13 @@ double Simulation::gas_mass() const {
   return assembly_.model.gas_density * assembly_.grid->cell_volume() * volume;
 }
 
-Balances Simulation::balances() const { return accounts_.balances(particles_, engine_->report().budget, gas_mass()); }
+Balances Simulation::balances() const {
+  GasHeld gas{.mass = gas_mass(), .momentum = coupling_->pending_momentum()};
+  for (std::size_t axis = 0; axis < 3; ++axis) gas.momentum[axis] += gas_report_.momentum[axis];
+  Balances balances = accounts_.balances(particles_, engine_->report().budget, gas);
+  if (!assembly_.coupled()) balances.gas_momentum = std::numeric_limits<double>::quiet_NaN();   // a given gas gives without having
+  return balances;
+}
 
 std::array<double, 3> Simulation::momentum() const {
   std::array<double, 3> total = momentum_of(particles_);

@@ -11,6 +11,7 @@
 #include "coupling/coupling.h"
 #include "coupling/effect_pass.h"
 #include "output/accounts.h"
+#include "output/gas_boundary.h"
 #include "output/run_state.h"
 #include "particles/engine.h"
 #include "stepper/assembly.h"
@@ -70,6 +71,7 @@ class Simulation {
   void assemble_stages();
   similitude_gas_step gas_step();
   void advance_gas();
+  void keep_books_of_gas(double dt, double at);
 
   const Assembly& assembly_;
   TimeSteps steps_;
@@ -79,6 +81,7 @@ class Simulation {
   std::vector<EffectPass> effects_;
   std::unique_ptr<Engine> engine_;
   similitude_gas_report gas_report_{};
+  GasBoundary boundary_;
   Accounts accounts_;
   Guards guards_;
   std::vector<Stage> stages_;

@@ -150,6 +150,6 @@ TEST(MonitorFile, NamesEveryColumnWithItsUnit) {
       "smallest_gas_fraction [1],courant [1],gas_mass_residual [1],pressure_iterations [1],inflow [kg/s],outflow "
       "[kg/s],gravity_impulse_z [kg m/s],drag_impulse_z [kg m/s],stress_impulse_z [kg m/s],wall_impulse_z [kg m/s],"
       "gravity_work [J],drag_work [J],stress_work [J],contact_work [J],gas_in [kg],gas_out [kg],momentum_residual [1],"
-      "energy_residual [1],gas_balance_residual [1]");
-  EXPECT_EQ(lines[1], "0.5,0,0,0,0,0,0,0,,,,0,0,0,,,,,,,,,,,0.25,,,,,,,,,,,,,");
+      "energy_residual [1],gas_balance_residual [1],boundary_impulse_z [kg m/s],pumping_work [J],gas_momentum_residual [1]");
+  EXPECT_EQ(lines[1], "0.5,0,0,0,0,0,0,0,,,,0,0,0,,,,,,,,,,,0.25,,,,,,,,,,,,,,,,");
 }
