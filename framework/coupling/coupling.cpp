@@ -135,6 +135,22 @@ void Coupling::Parts::deposit_sizes(const ParticleStore& particles) {
   smoothing.apply(sizes);
 }
 
+similitude_gas_step gas_step(const ExchangeFields& exchange, GasFields& gas, double time, double dt) {
+  similitude_gas_step step{};
+  step.struct_size = sizeof(step);
+  step.time = time;
+  step.dt = dt;
+  step.gas_fraction = exchange.gas_fraction.data();
+  step.gas_fraction_old = exchange.gas_fraction_old.data();
+  step.exchange = exchange.exchange.data();
+  step.exchange_velocity = exchange.exchange_velocity.data();
+  step.remainder = exchange.remainder.data();
+  step.velocity = gas.velocity.data();
+  step.pressure = gas.pressure.data();
+  step.stress_force = gas.stress_force.data();
+  return step;
+}
+
 Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& drag, bool coupled, DragForm form)
     : parts_(std::make_unique<Parts>(scene, grid, drag, coupled, form)) {
   const std::size_t cells = grid.cell_count();

@@ -45,6 +45,9 @@ struct CouplingState {
   std::uint64_t accounts_opened = 0, accounts_left = 0;
 };
 
+/// What a gas solver is handed for a step of `dt` [s] that ends at `time` [s]; the fields stay their owners'.
+similitude_gas_step gas_step(const ExchangeFields& exchange, GasFields& gas, double time, double dt);
+
 class Coupling {
  public:
   /// `coupled` false: a given gas (one-way); no solids fraction is deposited, eps is 1, nothing is charged to the gas and

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fluid/face_tables.h"
+
 namespace similitude {
 
 GasBoundary::GasBoundary(const Grid& grid) : grid_(grid) {
@@ -50,7 +52,7 @@ BoundaryAction GasBoundary::action(const GasFields& gas, const Column<double>& g
           velocity[a] = gas.velocity[a * cells + side.cell];
           superficial[a] = gas_fraction[side.cell] * velocity[a];
         } else {
-          velocity[a] = superficial[a] = patch.velocity[a] * (patch.ramp > 0 ? std::min(1.0, time / patch.ramp) : 1.0);
+          velocity[a] = superficial[a] = patch.velocity[a] * flow::ramp_factor(patch, time);
         }
       }
       if (patch.kind == SIMILITUDE_PATCH_PRESSURE) pressure = patch.pressure;

@@ -90,12 +90,11 @@ double bottom_pressure(const Grid& grid, const GasFields& gas) {
 
 void observe_solids(const ParticleStore& store, const MapBack& map, Monitors& m) {
   double mass = 0, energy = 0, spin_energy = 0, height = 0, largest = 0;
-  std::array<double, 3> momentum{};
+  const std::array<double, 3> momentum = momentum_of(store);
   for (std::size_t k = 0; k < store.size(); ++k) {
     const Row& v = store.velocity[k];
     const double square = v.x * v.x + v.y * v.y + v.z * v.z;
     mass += v.w;
-    momentum[0] += v.w * v.x, momentum[1] += v.w * v.y, momentum[2] += v.w * v.z;
     energy += 0.5 * v.w * square;
     height += v.w * store.position[k].z;
     largest = std::max(largest, square);

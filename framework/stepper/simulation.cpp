@@ -34,7 +34,7 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled(), assembly.drag_form());
   coupling_->start(particles_);
 
-  const similitude_gas_step fields = gas_step();
+  const similitude_gas_step fields = next_gas_step();
   similitude_status status{};
   assembly.fluid.functions().initialise(assembly.fluid.instance(), &assembly.grid->table(), &fields, &status);
   guards_.check_gas(gas_report_, status, 0);
@@ -46,25 +46,14 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   assemble_stages();
 }
 
-similitude_gas_step Simulation::gas_step() {
-  similitude_gas_step step{};
-  step.struct_size = sizeof(step);
-  step.time = static_cast<double>(steps_done_ + 1) * steps_.gas_dt();
-  step.dt = steps_.gas_dt();
-  const ExchangeFields& exchange = coupling_->fields();   // eps = 1 and no exchange for a given gas
-  step.gas_fraction = exchange.gas_fraction.data();
-  step.gas_fraction_old = exchange.gas_fraction_old.data();
-  step.exchange = exchange.exchange.data();
-  step.exchange_velocity = exchange.exchange_velocity.data();
-  step.remainder = exchange.remainder.data();
-  step.velocity = gas_.velocity.data();
-  step.pressure = gas_.pressure.data();
-  step.stress_force = gas_.stress_force.data();
-  return step;
+/// The step to come. A given gas finds eps = 1 and no exchange.
+similitude_gas_step Simulation::next_gas_step() {
+  const double dt = steps_.gas_dt();
+  return gas_step(coupling_->fields(), gas_, static_cast<double>(steps_done_ + 1) * dt, dt);
 }
 
 void Simulation::advance_gas() {
-  const similitude_gas_step step = gas_step();
+  const similitude_gas_step step = next_gas_step();
   similitude_status status{};
   gas_report_ = {};
   gas_report_.struct_size = sizeof(gas_report_);

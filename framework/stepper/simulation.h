@@ -69,7 +69,7 @@ class Simulation {
 
  private:
   void assemble_stages();
-  similitude_gas_step gas_step();
+  similitude_gas_step next_gas_step();
   void advance_gas();
   void keep_books_of_gas(double dt, double at);
 

@@ -63,22 +63,7 @@ struct Gas {
     fields.stress_force.assign(3 * grid.cell_count(), 0);
   }
 
-  similitude_gas_step step(double dt) {
-    const ExchangeFields& exchange = coupling.fields();
-    similitude_gas_step row{};
-    row.struct_size = sizeof row;
-    row.dt = dt;
-    row.time = time += dt;
-    row.gas_fraction = exchange.gas_fraction.data();
-    row.gas_fraction_old = exchange.gas_fraction_old.data();
-    row.exchange = exchange.exchange.data();
-    row.exchange_velocity = exchange.exchange_velocity.data();
-    row.remainder = exchange.remainder.data();
-    row.velocity = fields.velocity.data();
-    row.pressure = fields.pressure.data();
-    row.stress_force = fields.stress_force.data();
-    return row;
-  }
+  similitude_gas_step step(double dt) { return gas_step(coupling.fields(), fields, time += dt, dt); }
   void advance(double dt) {
     similitude_gas_report report{};
     report.struct_size = sizeof report;

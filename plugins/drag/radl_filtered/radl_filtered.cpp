@@ -1,4 +1,5 @@
 #include <similitude/drag_correlations.h>
+#include <similitude/sphere_in_gas.h>
 
 #include <iterator>
 
@@ -67,7 +68,7 @@ struct RadlFiltered {
   }
 
   void prepare(const Bed& bed) {
-    const double weight = archimedes(bed);
+    const double weight = archimedes(sphere_in_gas(bed));
     if (!(weight > 0)) {
       throw std::invalid_argument(
           "radl_filtered needs particles that fall in their gas.\n"

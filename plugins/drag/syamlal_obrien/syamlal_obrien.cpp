@@ -1,4 +1,5 @@
-#include <similitude/drag_correlations.h>
+#include <similitude/drag_law.h>
+#include <similitude/sphere_in_gas.h>
 
 namespace {
 using namespace similitude;
@@ -45,7 +46,7 @@ struct SyamlalOBrien {
     const double eps = gas_fraction_at_minimum_fluidization;
     const double reynolds =
         bed.gas_density * bed.drag_diameter * (minimum_fluidization_velocity / eps) / bed.gas_viscosity;
-    const double a = 0.63 * sqrt(reynolds), carried = sqrt(4 * archimedes(bed) / (3 * reynolds));
+    const double a = 0.63 * sqrt(reynolds), carried = sqrt(4 * archimedes(sphere_in_gas(bed)) / (3 * reynolds));
     const double inverse_root = 2 * carried / (4.8 + sqrt(4.8 * 4.8 + 4 * a * carried));
     const double ratio = 1 / (inverse_root * inverse_root);
     const double slope = 0.06 * reynolds;

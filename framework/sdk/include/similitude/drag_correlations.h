@@ -82,10 +82,4 @@ V hill_koch_ladd_slope(const V& gas_fraction) {
   return 0.0673 + 0.212 * (1.0 - gas_fraction) + 0.0232 / (squared * squared * gas_fraction);
 }
 
-/// Ar = rho_f (rho_p - rho_f) g d^3 / mu^2 of the bed's first class, d as drag sees it.
-inline double archimedes(const Bed& bed) {
-  return bed.gas_density * (bed.particle_density - bed.gas_density) * bed.gravity * bed.drag_diameter * bed.drag_diameter *
-         bed.drag_diameter / (bed.gas_viscosity * bed.gas_viscosity);
-}
-
 }  // namespace similitude
