@@ -5,7 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "../study/series.h"
+
 using namespace similitude;
+using similitude::test::autoregressive;
 
 namespace {
 
@@ -13,18 +16,6 @@ BlockAverage average_of(const std::vector<double>& series) {
   BlockAverage average;
   for (const double value : series) average.add(value, 1);
   return average;
-}
-
-/// x_k = phi x_(k-1) + sqrt(1 - phi^2) e_k: variance 1, correlation phi^lag.
-std::vector<double> autoregressive(double phi, std::size_t length, std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  std::vector<double> series(length);
-  double value = normal(random);
-  for (double& x : series) {
-    x = value;
-    value = phi * value + std::sqrt(1 - phi * phi) * normal(random);
-  }
-  return series;
 }
 
 /// Exact variance of the mean of n values of that series.

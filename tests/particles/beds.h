@@ -77,4 +77,28 @@ inline void stir(ParticleStore& store, double speed, std::uint64_t seed = 2) {
   }
 }
 
+/// A stirred bed with a plate, a periodic direction and an outlet: everything that lists and orders depend on.
+struct MovingBed {
+  explicit MovingBed(const SpringLaw& spring) : scene(box(0.04, 0.012, 0.0135, {false, true, false})), law(make_law(spring)) {
+    Patch top;
+    top.kind = PatchKind::pressure;
+    top.face = {Axis::z, Side::high};
+    top.extent = {Interval{0, 0.04}, Interval{0, 0.012}, Interval{0.0135, 0.0135}};
+    scene.patches.push_back(top);
+    Baffle plate;
+    plate.position = 0.02;
+    plate.thickness = 0.5e-3;
+    plate.extent = {Interval{0.02, 0.02}, Interval{0, 0.012}, Interval{0.004, 0.012}};
+    scene.baffles.push_back(plate);
+  }
+  ParticleStore filled() const {
+    ParticleStore store = spinning_store();
+    fill_lattice(store, scene, 4000, 0.5 * k_diameter, 1.1e-3, 0.02e-3);
+    stir(store, 0.5);
+    return store;
+  }
+  ModelScene scene;
+  ContactModel law;
+};
+
 }  // namespace similitude::testing

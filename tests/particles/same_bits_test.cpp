@@ -13,26 +13,13 @@ struct Restore {
   ~Restore() { omp_set_num_threads(threads); }
 };
 
-/// A stirred bed with a plate, a periodic direction and an outlet: everything that could depend on an order.
+/// What MovingBed comes to.
 Bits moving_bed(int threads, std::int64_t at_a_time, std::uint64_t* rebuilds = nullptr, std::uint64_t* removed = nullptr) {
   const Restore restore;
   omp_set_num_threads(threads);
-  ModelScene scene = box(0.04, 0.012, 0.0135, {false, true, false});
-  Patch top;
-  top.kind = PatchKind::pressure;
-  top.face = {Axis::z, Side::high};
-  top.extent = {Interval{0, 0.04}, Interval{0, 0.012}, Interval{0.0135, 0.0135}};
-  scene.patches.push_back(top);
-  Baffle plate;
-  plate.position = 0.02;
-  plate.thickness = 0.5e-3;
-  plate.extent = {Interval{0.02, 0.02}, Interval{0, 0.012}, Interval{0.004, 0.012}};
-  scene.baffles.push_back(plate);
-  ParticleStore store = spinning_store();
-  fill_lattice(store, scene, 4000, 0.5 * k_diameter, 1.1e-3, 0.02e-3);
-  stir(store, 0.5);
-  const ContactModel law = make_law({.damping_ratio = 0.1, .friction = 0.3, .rotation = true});
-  Engine engine(store, scene, law, options(2.5e-6, 9.81));
+  const MovingBed bed({.damping_ratio = 0.1, .friction = 0.3, .rotation = true});
+  ParticleStore store = bed.filled();
+  Engine engine(store, bed.scene, bed.law, options(2.5e-6, 9.81));
   for (std::int64_t done = 0; done < 2000; done += at_a_time) engine.advance(at_a_time);
   if (rebuilds) *rebuilds = engine.report().rebuilds;
   if (removed) *removed = engine.report().removed;

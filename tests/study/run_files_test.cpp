@@ -9,37 +9,18 @@
 #include "scene/messages.h"
 #include "study/csv_table.h"
 #include "study/metrics.h"
+#include "folder.h"
 
 using namespace similitude;
 
 namespace {
 
-class RunFiles : public ::testing::Test {
+class RunFiles : public similitude::test::StudyFolder {
  protected:
-  RunFiles() {
-    std::string name = (std::filesystem::temp_directory_path() / "similitude-study-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-  }
-  ~RunFiles() override { std::filesystem::remove_all(folder); }
-  void write(const std::string& name, const std::string& text) { std::ofstream(folder / name) << text; }
-  template <class Action>
-  std::string refusal(Action action) {
-    try {
-      action();
-    } catch (const InputError& error) {
-      std::string what = error.what();
-      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos;
-           at = what.find(folder.string() + "/"))
-        what.erase(at, folder.string().size() + 1);
-      return what;
-    }
-    return "";
-  }
   std::string refusal_of_data(const std::string& text) {
     write("data.csv", text);
-    return refusal([&] { read_measured(folder / "data.csv"); });
+    return refusal_by([&] { read_measured(folder / "data.csv"); });
   }
-  std::filesystem::path folder;
 };
 
 }  // namespace

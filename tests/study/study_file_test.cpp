@@ -8,39 +8,24 @@
 
 #include "scene/messages.h"
 #include "study/case_matrix.h"
+#include "folder.h"
 
 using namespace similitude;
 using ::testing::ElementsAre;
 
 namespace {
 
-class StudyFileTest : public ::testing::Test {
+class StudyFileTest : public similitude::test::StudyFolder {
  protected:
-  StudyFileTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "similitude-study-XXXXXX").string();
-    folder = ::mkdtemp(name.data());
-    std::ofstream(folder / "case.yaml") << "similitude: 1\n";
-  }
-  ~StudyFileTest() override { std::filesystem::remove_all(folder); }
+  StudyFileTest() { write("case.yaml", "similitude: 1\n"); }
 
   StudyFile read(const std::string& text) {
-    std::ofstream(folder / "study.yaml") << text;
+    write("study.yaml", text);
     return read_study(folder / "study.yaml");
   }
-  /// The message without the folder.
   std::string refusal(const std::string& text) {
-    try {
-      read(text);
-    } catch (const InputError& error) {
-      std::string what = error.what();
-      for (std::size_t at = what.find(folder.string() + "/"); at != std::string::npos;
-           at = what.find(folder.string() + "/"))
-        what.erase(at, folder.string().size() + 1);
-      return what;
-    }
-    return "";
+    return refusal_by([&] { read(text); });
   }
-  std::filesystem::path folder;
 };
 
 const std::string k_head = "similitude_study: 1\nbase: case.yaml\n";

@@ -55,4 +55,19 @@ inline std::unique_ptr<SmallBed> small_bed(const std::string& yaml, ParticleStor
   return bed;
 }
 
+/// Pressure at the inlet face above the outlet's: mean of the lowest cells, carried half a cell on with the gradient there.
+inline double pressure_drop(const SmallBed& bed) {
+  const Grid& grid = *bed.assembly->grid;
+  const auto& pressure = bed.simulation->gas().pressure;
+  double lowest = 0, second = 0;
+  const int nx = grid.cells(0), ny = grid.cells(1);
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) {
+      lowest += pressure[grid.cell(i, j, 0)] / (nx * ny);
+      second += pressure[grid.cell(i, j, 1)] / (nx * ny);
+    }
+  }
+  return lowest + (lowest - second) / 2;
+}
+
 }  // namespace similitude::test

@@ -38,18 +38,6 @@ time: {{end: 1 s, dt: auto}}
                      k_count, k_full_speed, k_ramp, scaling);
 }
 
-/// Pressure at the bottom face above the outlet's, from the lowest two layers.
-double pressure_drop(const SmallBed& bed) {
-  const Grid& grid = *bed.assembly->grid;
-  const auto& pressure = bed.simulation->gas().pressure;
-  const int layer = grid.cells(0) * grid.cells(1);
-  double drop = 0;
-  for (int j = 0; j < grid.cells(1); ++j)
-    for (int i = 0; i < grid.cells(0); ++i)
-      drop += (1.5 * pressure[grid.cell(i, j, 0)] - 0.5 * pressure[grid.cell(i, j, 1)]) / layer;
-  return drop;
-}
-
 }  // namespace
 
 class ParcelBed : public testing::TestWithParam<double> {};
