@@ -108,45 +108,46 @@ def prices(benchmark):
     return out
 
 
-def drag_table(run, ids, price):
-    lines = ["| drag | bed height [mm] | pressure drop [Pa] | smallest gas fraction | ns per particle |", "|---|---|---|---|---|"]
-    for model in ids:
-        r = run(f"drag_{model}", drag=with_parameters(model))
-        cost = f"{price['drag/' + model]:.0f}" if "drag/" + model in price else ""
-        if r.failed:
-            lines.append(f"| {model} | did not end: {' '.join(r.failed)} | | | {cost} |")
-            continue
-        lines.append(f"| {model} | {pair(r.mean('bed_height [m]'), 1e3)} | {pair(r.mean('pressure_drop [Pa]'))} | "
-                     f"{pair(r.mean('smallest_gas_fraction [1]'), 1, 3)} | {cost} |")
+def table(head, runs, row):
+    """A line per (name, run, cost); a run that failed says so. `row` makes the cells between the name and the cost."""
+    columns = head.count("|") - 1
+    lines = [head, "|---" * columns + "|"]
+    for name, r, cost in runs:
+        cells = [f"did not end: {' '.join(r.failed)}"] + [""] * (columns - 2 - len(cost)) if r.failed else row(r)
+        lines.append("| " + " | ".join([name, *cells, *cost]) + " |")
     return lines
+
+
+def priced(run, kind, ids, price, digits):
+    """Runs of every model of a kind with what model_prices says of it."""
+    for model in ids:
+        name = f"{kind}/{model}"
+        yield model, run(f"{kind}_{model}", **{kind: with_parameters(model)}), [f"{price[name]:.{digits}f}" if name in price else ""]
+
+
+def drag_table(run, ids, price):
+    return table("| drag | bed height [mm] | pressure drop [Pa] | smallest gas fraction | ns per particle |",
+                 priced(run, "drag", ids, price, 0),
+                 lambda r: [pair(r.mean("bed_height [m]"), 1e3), pair(r.mean("pressure_drop [Pa]")),
+                            pair(r.mean("smallest_gas_fraction [1]"), 1, 3)])
 
 
 def contact_table(run, ids, price):
-    lines = ["| contact | bed height [mm] | largest overlap [% of d] | sub-steps | ns per contact |", "|---|---|---|---|---|"]
-    for model in ids:
-        r = run(f"contact_{model}", contact=with_parameters(model))
-        cost = f"{price['contact/' + model]:.1f}" if "contact/" + model in price else ""
-        if r.failed:
-            lines.append(f"| {model} | did not end: {' '.join(r.failed)} | | | {cost} |")
-            continue
-        overlap = max(row["largest_overlap [% of d]"] for block in r.blocks for row in block)
-        lines.append(f"| {model} | {pair(r.mean('bed_height [m]'), 1e3)} | {overlap:.1f} | {r.particle_steps / 2000:.0f} | {cost} |")
-    return lines
+    return table("| contact | bed height [mm] | largest overlap [% of d] | sub-steps | ns per contact |",
+                 priced(run, "contact", ids, price, 1),
+                 lambda r: [pair(r.mean("bed_height [m]"), 1e3),
+                            f"{max(row['largest_overlap [% of d]'] for block in r.blocks for row in block):.1f}",
+                            f"{r.particle_steps / 2000:.0f}"])
 
 
 def fluid_table(run, ids):
     choices = {model: model for model in ids if model != "prescribed"}
     choices |= {"vans, model_b": "{id: vans, momentum: model_b}", "vans, as_printed": "{id: vans, momentum: as_printed}",
                 "vans, upwind": "{id: vans, advection: upwind}"}
-    lines = ["| fluid | bed height [mm] | pressure drop [Pa] | the gas's share of the run |", "|---|---|---|---|"]
-    for name, text in choices.items():
-        r = run("fluid_" + re.sub(r"\W+", "_", name), fluid=text)
-        if r.failed:
-            lines.append(f"| {name} | did not end: {' '.join(r.failed)} | | |")
-            continue
-        lines.append(f"| {name} | {pair(r.mean('bed_height [m]'), 1e3)} | {pair(r.mean('pressure_drop [Pa]'))} | "
-                     f"{100 * r.seconds('fluid: ') / r.wall:.0f} % |")
-    return lines
+    runs = ((name, run("fluid_" + re.sub(r"\W+", "_", name), fluid=text), []) for name, text in choices.items())
+    return table("| fluid | bed height [mm] | pressure drop [Pa] | the gas's share of the run |", runs,
+                 lambda r: [pair(r.mean("bed_height [m]"), 1e3), pair(r.mean("pressure_drop [Pa]")),
+                            f"{100 * r.seconds('fluid: ') / r.wall:.0f} %"])
 
 
 def replace_table(page, name, lines):
