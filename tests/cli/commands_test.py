@@ -12,7 +12,7 @@ import sys
 import time
 import unittest
 
-from command import SIMILITUDE, SMALL, SOURCE, CommandTest
+from command import HUNG, SIMILITUDE, SMALL, SOURCE, CommandTest
 
 
 def shipped_cases():
@@ -76,7 +76,7 @@ class Run(CommandTest):
                 time.sleep(0.05)
             time.sleep(0.5)
             process.send_signal(signal.SIGINT)
-            self.assertEqual(process.wait(timeout=60), 130)
+            self.assertEqual(process.wait(timeout=HUNG), 130)
         with open(self.path("out/manifest.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["status"], "interrupted")
         self.assertTrue(os.path.exists(self.path("out/profiles.csv")))

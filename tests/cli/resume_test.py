@@ -10,7 +10,7 @@ import subprocess
 import time
 import unittest
 
-from command import SIMILITUDE, SMALL, CommandTest
+from command import HUNG, SIMILITUDE, SMALL, CommandTest
 
 KILLS = int(os.environ.get("SIMILITUDE_KILLS", "5"))
 # As often as the program looks at the clock: after every gas step.
@@ -129,7 +129,7 @@ class Resume(ResumeTest):
                     time.sleep(0.05)
                 time.sleep(0.5)
                 process.send_signal(number)
-                said, _ = process.communicate(timeout=60)
+                said, _ = process.communicate(timeout=HUNG)
                 self.assertEqual(process.returncode, status)
             self.assertEqual(len(self.checkpoints("out")), 1)
             self.assertIn(self.newest("out"), said)
@@ -226,7 +226,7 @@ class FullDisk(ResumeTest):
             resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         return subprocess.run([SIMILITUDE, "run", self.write(text), "-o", self.path("out"), *arguments], cwd=self.folder.name,
-                              capture_output=True, text=True, timeout=120, preexec_fn=limit, restore_signals=False, check=False)
+                              capture_output=True, text=True, timeout=HUNG, preexec_fn=limit, restore_signals=False, check=False)
 
     def test_the_run_goes_on_and_says_it_once(self):
         finished = self.limited(OFTEN)
