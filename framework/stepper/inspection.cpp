@@ -65,6 +65,14 @@ double calibrated_particle_steps_per_s(const Assembly& assembly, const TimeSteps
   return static_cast<double>(bed.particles.size()) * k_sub_steps / seconds_since(start);
 }
 
+/// A price needs some number where the case must give one.
+void give_typical_values(ModelChoice& effect, const similitude_descriptor& model) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const similitude_parameter& row = model.parameters[i];
+    if (row.required != 0 && std::isnan(effect.parameters[i].real)) effect.parameters[i].real = row.typical_maximum;
+  }
+}
+
 /// Wall seconds that an effect adds to the whole run: its contact pass by the difference of sub-steps with and without it, its
 /// particle pass by the clock, both on the calibration bed and the better of a few repetitions.
 double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Catalogue& catalogue, const std::string& id) {
@@ -74,6 +82,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
   with.models.effects_auto = false;
   std::erase_if(with.models.effects, [&](const ModelChoice& effect) { return effect.id != id; });
   if (with.models.effects.empty()) with.models.effects.push_back(effect_with_defaults(*catalogue.find("effect", id)));
+  for (ModelChoice& choice : with.models.effects) give_typical_values(choice, *catalogue.find("effect", id)->descriptor);
   const Assembly assembly = assemble(with, catalogue);
   const EffectModel& effect = assembly.effects.front();
   CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
@@ -97,6 +106,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
     price += std::max(0.0, best_of(assembly.effects) - best_of({})) * scale * gas_steps * static_cast<double>(steps.sub_steps);
   }
   if (effect.functions().particles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) bed.scene.cell[axis] = bed.scene.size[axis] / 4;
     const Grid grid(bed.scene);
     std::unique_ptr<GasMotion> motion;
     if (assembly.effect_reads != 0) motion = std::make_unique<GasMotion>(bed.scene, grid, assembly.coupled(), assembly.effect_reads);
