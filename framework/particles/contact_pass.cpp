@@ -1,6 +1,6 @@
 #include "particles/contact_pass.h"
 
-#include <cstring>
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -11,6 +11,19 @@ namespace similitude {
 
 using pack::V4;
 using pack::V4x3;
+
+namespace {
+
+/// The approach at which two that are `distance` apart and touch at `touch_distance` must be looked at again. [m] Rounded down by
+/// more than floats round the numbers it is made of; not below zero, which would say that they touch.
+template <class F>
+F next_look(F so_far, F distance, F touch_distance) {
+  constexpr float rounding = 1e-6f;
+  const F next = (so_far + (distance - touch_distance - rounding * touch_distance)) * (1 - rounding);
+  return next > 0 ? next : F{};
+}
+
+}  // namespace
 
 /// One brick's walk through its lists.
 struct ContactPass::Run {
@@ -290,7 +303,7 @@ void ContactPass::scatter(Run& run) {
 void ContactPass::collect_shares(std::uint32_t brick) {
   for (std::uint32_t n = lists_.first_incoming[brick]; n < lists_.first_incoming[brick + 1]; ++n) {
     const Incoming& from = lists_.incoming[n];
-    if (!lists_.touching[from.candidate]) continue;
+    if (!lists_.touches(from.candidate)) continue;
     Row& force = particles_.force[from.row];
     pack::store(force, pack::load(force) + pack::load(share_force_[from.slot]));
     if (needs_.rotation) {
@@ -303,10 +316,10 @@ void ContactPass::collect_shares(std::uint32_t brick) {
 // ------------------------------------------------------------------------------------------------ pairs of a brick
 
 template <bool Rotation, bool Periodic, bool Across>
-std::size_t ContactPass::piece(const Piece& piece, Run& run) {
+std::size_t ContactPass::piece(const Piece& piece, double approach, Run& run) {
   const Row* position = particles_.position.data();
   const Candidate* candidates = lists_.candidates.data();
-  std::uint8_t* touching = lists_.touching.data();
+  float* look_at = lists_.look_at.data();
   const V4 reach = pack::all(reach_);
   run.first_slot_candidate = piece.begin;
   std::size_t contacts = 0;
@@ -322,51 +335,68 @@ std::size_t ContactPass::piece(const Piece& piece, Run& run) {
     run.rows = 0;
   };
 
-  for (std::uint32_t k = piece.begin; k < piece.end; k += 4) {
-    V4 x = pack::load(position[candidates[k].owner]) - pack::load(position[candidates[k].partner]);
-    V4 y = pack::load(position[candidates[k + 1].owner]) - pack::load(position[candidates[k + 1].partner]);
-    V4 z = pack::load(position[candidates[k + 2].owner]) - pack::load(position[candidates[k + 2].partner]);
-    V4 w = pack::load(position[candidates[k + 3].owner]) - pack::load(position[candidates[k + 3].partner]);
+  const auto so_far = static_cast<float>(approach);
+  const auto look = [&](const std::uint32_t* k, std::uint32_t lanes) {
+    const Candidate c0 = candidates[k[0]], c1 = candidates[k[1]], c2 = candidates[k[2]], c3 = candidates[k[3]];
+    const V4 pi0 = pack::load(position[c0.owner]), pj0 = pack::load(position[c0.partner]);
+    const V4 pi1 = pack::load(position[c1.owner]), pj1 = pack::load(position[c1.partner]);
+    const V4 pi2 = pack::load(position[c2.owner]), pj2 = pack::load(position[c2.partner]);
+    const V4 pi3 = pack::load(position[c3.owner]), pj3 = pack::load(position[c3.partner]);
+    V4 x = pi0 - pj0, y = pi1 - pj1, z = pi2 - pj2, w = pi3 - pj3;
     if constexpr (Periodic) {
-      x -= pack::load(bricks_.shift(lists_.image[k]));
-      y -= pack::load(bricks_.shift(lists_.image[k + 1]));
-      z -= pack::load(bricks_.shift(lists_.image[k + 2]));
-      w -= pack::load(bricks_.shift(lists_.image[k + 3]));
+      x -= pack::load(bricks_.shift(lists_.image[k[0]]));
+      y -= pack::load(bricks_.shift(lists_.image[k[1]]));
+      z -= pack::load(bricks_.shift(lists_.image[k[2]]));
+      w -= pack::load(bricks_.shift(lists_.image[k[3]]));
     }
-    const V4 limit = V4{position[candidates[k].owner].w + position[candidates[k].partner].w,
-                        position[candidates[k + 1].owner].w + position[candidates[k + 1].partner].w,
-                        position[candidates[k + 2].owner].w + position[candidates[k + 2].partner].w,
-                        position[candidates[k + 3].owner].w + position[candidates[k + 3].partner].w} +
-                     reach;
+    const V4 limit = pack::fourth(pi0, pi1, pi2, pi3) + pack::fourth(pj0, pj1, pj2, pj3) + reach;
     pack::transpose(x, y, z, w);
-    unsigned now = pack::bits(x * x + y * y + z * z < limit * limit);
-    now &= (1u << std::min(4u, piece.end - k)) - 1;
-
-    // Four flags as the bytes of one number; a contact that begins starts without memory.
-    const std::uint32_t flags = (now & 1) | (now & 2) << 7 | (now & 4) << 14 | (now & 8) << 21;
-    std::uint32_t before;
-    std::memcpy(&before, touching + k, 4);
-    if ((flags & ~before) != 0) [[unlikely]] {
+    const V4 distance_squared = x * x + y * y + z * z;
+    const pack::F4 rough_limit = __builtin_convertvector(limit, pack::F4);
+    const pack::F4 next = next_look(so_far + pack::F4{}, pack::rough_square_root(distance_squared), rough_limit);
+    const unsigned touches = pack::bits(distance_squared < limit * limit), now = touches & ((1u << lanes) - 1);
+    unsigned before = 0;
+    for (std::uint32_t lane = 0; lane < 4; ++lane) before |= static_cast<unsigned>(look_at[k[lane]] < 0) << lane;
+    if ((now & ~before) != 0) [[unlikely]] {
       for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        if ((flags & ~before) >> 8 * lane & 1) forget(k + lane);
+        if ((now & ~before) >> lane & 1) forget(k[lane]);   // a contact begins without memory
       }
     }
-    std::memcpy(touching + k, &flags, 4);
+    // Copies that fill the last pack hold the last candidate's own number.
+    for (std::uint32_t lane = 0; lane < 4; ++lane) look_at[k[lane]] = touches >> lane & 1 ? ContactLists::k_touching : next[lane];
     // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
     if (now != 0) {
-      const char* const memory = reinterpret_cast<const char*>(lists_.history.data() + k * lists_.history_rows());
-      __builtin_prefetch(memory, 1);
-      __builtin_prefetch(memory + 64, 1);
       for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        __builtin_prefetch(&particles_.velocity[candidates[k + lane].partner]);
-        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[k + lane].partner]);
+        __builtin_prefetch(lists_.history.data() + k[lane] * lists_.history_rows(), 1);
+        __builtin_prefetch(&particles_.velocity[candidates[k[lane]].partner]);
+        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[k[lane]].partner]);
+      }
+      for (std::uint32_t lane = 0; lane < 4; ++lane) {
+        run.columns.candidate[run.rows] = k[lane];
+        run.rows += now >> lane & 1;
       }
     }
-    for (std::uint32_t lane = 0; lane < 4; ++lane) {
-      run.columns.candidate[run.rows] = k + lane;
-      run.rows += now >> lane & 1;
-    }
     if (run.rows > k_block_rows - 4) finish_block();
+  };
+
+  std::uint32_t* const due = run.columns.looked_at;
+  std::uint32_t waiting = 0;
+  const float limit = run.lists.approach.unknown ? std::numeric_limits<float>::max() : so_far;
+  for (std::uint32_t k = piece.begin; k < piece.end; k += 8) {
+    const unsigned now = pack::at_most(look_at + k, limit);
+    if (now == 0) continue;
+    waiting += pack::keep_lanes(due + waiting, k, now);
+    if (waiting <= k_looks - 8) continue;
+    std::uint32_t n = 0;
+    for (; n + 4 <= waiting; n += 4) look(due + n, 4);
+    std::copy(due + n, due + waiting, due);
+    waiting -= n;
+  }
+  std::uint32_t n = 0;
+  for (; n + 4 <= waiting; n += 4) look(due + n, 4);
+  if (n < waiting) {
+    for (std::uint32_t copy = waiting; copy < n + 4; ++copy) due[copy] = due[waiting - 1];
+    look(due + n, waiting - n);
   }
   finish_block();
   return contacts;
@@ -374,7 +404,9 @@ std::size_t ContactPass::piece(const Piece& piece, Run& run) {
 
 template <bool Rotation, bool Periodic>
 std::size_t ContactPass::both_pieces(Run& run) {
-  return piece<Rotation, Periodic, false>(run.lists.inside, run) + piece<Rotation, Periodic, true>(run.lists.across, run);
+  const BrickLists& lists = run.lists;
+  return piece<Rotation, Periodic, false>(lists.inside, lists.approach.inside, run) +
+         piece<Rotation, Periodic, true>(lists.across, lists.approach.across, run);
 }
 
 std::size_t ContactPass::pairs(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest,
@@ -479,15 +511,23 @@ std::size_t ContactPass::surface_piece(Run& run, Row& push) {
     run.rows = 0;
   };
   const Piece& piece = run.lists.surfaces;
+  const Approach& approach = run.lists.approach;
+  const auto so_far = static_cast<float>(approach.surfaces);
+  const float limit = approach.unknown ? std::numeric_limits<float>::max() : so_far;
   for (std::uint32_t k = piece.begin; k < piece.end; ++k) {
+    float& look_at = lists_.look_at[k];
+    if (look_at > limit) continue;
     const Candidate& candidate = lists_.candidates[k];
     const Row& centre = particles_.position[candidate.owner];
-    const bool now = surfaces_.nearest(candidate.partner, centre, touch) && centre.w - touch.distance > -reach_;
-    if (now) {
-      if (!lists_.touching[k]) forget(k);
+    const bool faces = surfaces_.nearest(candidate.partner, centre, touch);
+    if (faces && centre.w - touch.distance > -reach_) {
+      if (!(look_at < 0)) forget(k);
       gather_surface<Rotation>(run, k, touch);
+      look_at = ContactLists::k_touching;
+    } else {
+      const double touches_at = centre.w + reach_;
+      look_at = faces ? next_look(so_far, static_cast<float>(touch.distance), static_cast<float>(touches_at)) : ContactLists::k_look_now;
     }
-    lists_.touching[k] = now ? 1 : 0;
     if (run.rows == k_block_rows) finish_block();
   }
   finish_block();
