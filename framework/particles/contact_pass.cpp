@@ -36,6 +36,7 @@ struct ContactPass::Run {
   std::uint32_t first_slot_candidate = 0;   // the candidate that slot lists.first_slot belongs to
   std::uint32_t rows = 0;                   // touching contacts gathered
   std::uint32_t padded = 0;                 // rows with copies
+  std::uint32_t parted = 0;                 // of `rows`: what touched a sub-step ago and no longer does
 };
 
 ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
@@ -130,11 +131,14 @@ void ContactPass::gather(Run& run) {
     }
     pack::transpose(x, y, z, rest);
     const V4 radius_i = pack::fourth(pi0, pi1, pi2, pi3), radius_j = pack::fourth(pj0, pj1, pj2, pj3);
-    const V4 distance = pack::square_root(x * x + y * y + z * z);
+    const V4 distance_squared = x * x + y * y + z * z;
+    const V4 distance = pack::square_root(distance_squared);
     const V4 per_distance = 1.0 / distance;
     const V4x3 normal{x * per_distance, y * per_distance, z * per_distance};
     const V4 radii = radius_i + radius_j;
     const V4 overlap = radii - distance;
+    const V4 limit = radii + pack::all(reach_);
+    const unsigned touching = pack::bits(distance_squared < limit * limit);
     const V4 lever_i = distance * (radius_i / radii);
     const V4 lever_j = distance - lever_i;   // their sum is the distance: angular momentum is conserved
     pack::store(out.normal[0] + first, normal.x);
@@ -181,6 +185,18 @@ void ContactPass::gather(Run& run) {
 
     const unsigned deeper = pack::bits(overlap > pack::all(run.deepest.twice_ratio) * pack::smaller(radius_i, radius_j));
     if (deeper != 0) [[unlikely]] note_deepest(run, first, deeper);
+    if (touching != 0xf) [[unlikely]] part(run, first, touching);
+  }
+}
+
+/// Contacts that parted stay in the block as what a law may meet, and what it says of them is left out.
+void ContactPass::part(Run& run, std::uint32_t first, unsigned touching) {
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if (touching >> lane & 1) continue;
+    const std::uint32_t n = first + lane;
+    run.columns.overlap[n] = -reach_;
+    lists_.look_at[run.columns.candidate[n]] = ContactLists::k_look_now;
+    run.parted += n < run.rows ? 1 : 0;
   }
 }
 
@@ -284,6 +300,7 @@ void ContactPass::scatter(Run& run) {
     const std::uint32_t lanes = std::min(4u, run.rows - first);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       const std::uint32_t k = in.candidate[first + lane];
+      if (!lists_.touches(k)) [[unlikely]] continue;
       const Candidate contact = lists_.candidates[k];
       pack::store(force[contact.owner], pack::load(force[contact.owner]) + push[lane]);
       if constexpr (Rotation) pack::store(torque[contact.owner], pack::load(torque[contact.owner]) + turn_i[lane]);
@@ -315,88 +332,89 @@ void ContactPass::collect_shares(std::uint32_t brick) {
 
 // ------------------------------------------------------------------------------------------------ pairs of a brick
 
-template <bool Rotation, bool Periodic, bool Across>
-std::size_t ContactPass::piece(const Piece& piece, double approach, Run& run) {
+/// Looks at four candidates that did not touch in the last sub-step; the last of them may be copies.
+template <bool Periodic>
+void ContactPass::look(const std::uint32_t* k, float so_far) {
   const Row* position = particles_.position.data();
   const Candidate* candidates = lists_.candidates.data();
-  float* look_at = lists_.look_at.data();
-  const V4 reach = pack::all(reach_);
+  const Candidate c0 = candidates[k[0]], c1 = candidates[k[1]], c2 = candidates[k[2]], c3 = candidates[k[3]];
+  const V4 pi0 = pack::load(position[c0.owner]), pj0 = pack::load(position[c0.partner]);
+  const V4 pi1 = pack::load(position[c1.owner]), pj1 = pack::load(position[c1.partner]);
+  const V4 pi2 = pack::load(position[c2.owner]), pj2 = pack::load(position[c2.partner]);
+  const V4 pi3 = pack::load(position[c3.owner]), pj3 = pack::load(position[c3.partner]);
+  V4 x = pi0 - pj0, y = pi1 - pj1, z = pi2 - pj2, w = pi3 - pj3;
+  if constexpr (Periodic) {
+    x -= pack::load(bricks_.shift(lists_.image[k[0]]));
+    y -= pack::load(bricks_.shift(lists_.image[k[1]]));
+    z -= pack::load(bricks_.shift(lists_.image[k[2]]));
+    w -= pack::load(bricks_.shift(lists_.image[k[3]]));
+  }
+  pack::transpose(x, y, z, w);
+  const V4 limit = pack::fourth(pi0, pi1, pi2, pi3) + pack::fourth(pj0, pj1, pj2, pj3) + pack::all(reach_);
+  const V4 distance_squared = x * x + y * y + z * z;
+  const unsigned touches = pack::bits(distance_squared < limit * limit);
+  const pack::F4 next = next_look(so_far + pack::F4{}, pack::rough_square_root(distance_squared), __builtin_convertvector(limit, pack::F4));
+  for (std::uint32_t lane = 0; lane < 4; ++lane) lists_.look_at[k[lane]] = next[lane];
+  if (touches == 0) [[likely]] return;
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if ((touches >> lane & 1) == 0) continue;
+    lists_.look_at[k[lane]] = ContactLists::k_touching;
+    forget(k[lane]);   // a contact begins without memory
+  }
+}
+
+/// Looks at all of [begin, end) that do not touch and may by now.
+template <bool Periodic>
+void ContactPass::look_at_due(std::uint32_t begin, std::uint32_t end, double approach, Run& run) {
+  const float* look_at = lists_.look_at.data();
+  const auto so_far = static_cast<float>(approach);
+  const float limit = run.lists.approach.unknown ? std::numeric_limits<float>::max() : so_far;
+  std::uint32_t* const due = run.columns.due;
+  std::uint32_t count = 0;
+  for (std::uint32_t k = begin; k < end; k += 8) {
+    const unsigned now = pack::at_most(look_at + k, limit) & ~pack::negative(look_at + k);
+    if (now != 0) count += pack::keep_lanes(due + count, k, now);
+  }
+  for (std::uint32_t copy = count; copy % 4 != 0; ++copy) due[copy] = due[count - 1];
+  for (std::uint32_t n = 0; n < count; n += 4) look<Periodic>(due + n, so_far);
+}
+
+template <bool Rotation, bool Periodic, bool Across>
+std::size_t ContactPass::piece(const Piece& piece, double approach, Run& run) {
+  const Candidate* candidates = lists_.candidates.data();
+  const float* look_at = lists_.look_at.data();
   run.first_slot_candidate = piece.begin;
   std::size_t contacts = 0;
 
   const auto finish_block = [&] {
     if (run.rows == 0) return;
-    contacts += run.rows;
     fill_up(run);
     gather<Rotation, Periodic>(run);
+    contacts += run.rows - run.parted;
     if (!pair_of_.empty()) name_pairs(run);
     call_law(run);
     scatter<Rotation, Across>(run);
-    run.rows = 0;
+    run.rows = run.parted = 0;
   };
 
-  const auto so_far = static_cast<float>(approach);
-  const auto look = [&](const std::uint32_t* k, std::uint32_t lanes) {
-    const Candidate c0 = candidates[k[0]], c1 = candidates[k[1]], c2 = candidates[k[2]], c3 = candidates[k[3]];
-    const V4 pi0 = pack::load(position[c0.owner]), pj0 = pack::load(position[c0.partner]);
-    const V4 pi1 = pack::load(position[c1.owner]), pj1 = pack::load(position[c1.partner]);
-    const V4 pi2 = pack::load(position[c2.owner]), pj2 = pack::load(position[c2.partner]);
-    const V4 pi3 = pack::load(position[c3.owner]), pj3 = pack::load(position[c3.partner]);
-    V4 x = pi0 - pj0, y = pi1 - pj1, z = pi2 - pj2, w = pi3 - pj3;
-    if constexpr (Periodic) {
-      x -= pack::load(bricks_.shift(lists_.image[k[0]]));
-      y -= pack::load(bricks_.shift(lists_.image[k[1]]));
-      z -= pack::load(bricks_.shift(lists_.image[k[2]]));
-      w -= pack::load(bricks_.shift(lists_.image[k[3]]));
-    }
-    const V4 limit = pack::fourth(pi0, pi1, pi2, pi3) + pack::fourth(pj0, pj1, pj2, pj3) + reach;
-    pack::transpose(x, y, z, w);
-    const V4 distance_squared = x * x + y * y + z * z;
-    const pack::F4 rough_limit = __builtin_convertvector(limit, pack::F4);
-    const pack::F4 next = next_look(so_far + pack::F4{}, pack::rough_square_root(distance_squared), rough_limit);
-    const unsigned touches = pack::bits(distance_squared < limit * limit), now = touches & ((1u << lanes) - 1);
-    unsigned before = 0;
-    for (std::uint32_t lane = 0; lane < 4; ++lane) before |= static_cast<unsigned>(look_at[k[lane]] < 0) << lane;
-    if ((now & ~before) != 0) [[unlikely]] {
-      for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        if ((now & ~before) >> lane & 1) forget(k[lane]);   // a contact begins without memory
+  for (std::uint32_t begin = piece.begin; begin < piece.end; begin += k_window) {
+    const std::uint32_t end = std::min(begin + k_window, piece.end);
+    look_at_due<Periodic>(begin, end, approach, run);
+    for (std::uint32_t k = begin; k < end; k += 8) {
+      const unsigned touching = pack::negative(look_at + k);
+      if (touching == 0) continue;
+      const std::uint32_t kept = pack::keep_lanes(run.columns.candidate + run.rows, k, touching);
+      // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
+      for (std::uint32_t n = run.rows; n < run.rows + kept; ++n) {
+        const std::uint32_t now = run.columns.candidate[n];
+        __builtin_prefetch(lists_.history.data() + now * lists_.history_rows(), 1);
+        __builtin_prefetch(&particles_.position[candidates[now].partner]);
+        __builtin_prefetch(&particles_.velocity[candidates[now].partner]);
+        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[now].partner]);
       }
+      run.rows += kept;
+      if (run.rows > k_block_rows - 8) finish_block();
     }
-    // Copies that fill the last pack hold the last candidate's own number.
-    for (std::uint32_t lane = 0; lane < 4; ++lane) look_at[k[lane]] = touches >> lane & 1 ? ContactLists::k_touching : next[lane];
-    // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
-    if (now != 0) {
-      for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        __builtin_prefetch(lists_.history.data() + k[lane] * lists_.history_rows(), 1);
-        __builtin_prefetch(&particles_.velocity[candidates[k[lane]].partner]);
-        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[k[lane]].partner]);
-      }
-      for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        run.columns.candidate[run.rows] = k[lane];
-        run.rows += now >> lane & 1;
-      }
-    }
-    if (run.rows > k_block_rows - 4) finish_block();
-  };
-
-  std::uint32_t* const due = run.columns.looked_at;
-  std::uint32_t waiting = 0;
-  const float limit = run.lists.approach.unknown ? std::numeric_limits<float>::max() : so_far;
-  for (std::uint32_t k = piece.begin; k < piece.end; k += 8) {
-    const unsigned now = pack::at_most(look_at + k, limit);
-    if (now == 0) continue;
-    waiting += pack::keep_lanes(due + waiting, k, now);
-    if (waiting <= k_looks - 8) continue;
-    std::uint32_t n = 0;
-    for (; n + 4 <= waiting; n += 4) look(due + n, 4);
-    std::copy(due + n, due + waiting, due);
-    waiting -= n;
-  }
-  std::uint32_t n = 0;
-  for (; n + 4 <= waiting; n += 4) look(due + n, 4);
-  if (n < waiting) {
-    for (std::uint32_t copy = waiting; copy < n + 4; ++copy) due[copy] = due[waiting - 1];
-    look(due + n, waiting - n);
   }
   finish_block();
   return contacts;

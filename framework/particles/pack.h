@@ -61,6 +61,18 @@ inline unsigned at_most(const float* column, float limit) {
 #endif
 }
 
+/// Bit l is set where column[l] < 0; `column` is 32-byte aligned and holds no negative zero.
+inline unsigned negative(const float* column) {
+  const F8 values = *reinterpret_cast<const StoredF8*>(column);
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(values));
+#else
+  unsigned out = 0;
+  for (unsigned lane = 0; lane < 8; ++lane) out |= (values[lane] < 0 ? 1u : 0u) << lane;
+  return out;
+#endif
+}
+
 /// Writes `first` + l for every bit l of eight, in order; returns how many. Eight numbers may be written.
 inline std::uint32_t keep_lanes(std::uint32_t* out, std::uint32_t first, unsigned bits) {
 #if defined(__AVX512F__) && defined(__AVX512VL__)
