@@ -85,24 +85,21 @@ class ContactLists::Search {
     const double reach = centre.w + margin_;
     const pack::V4 here = pack::load(centre), packed_reach = pack::all(reach);
     std::uint32_t other = std::max(range.begin, row + 1);
-    for (; other + 4 <= range.end; other += 4) {
-      pack::V4 x = pack::load(position[other]), y = pack::load(position[other + 1]);
-      pack::V4 z = pack::load(position[other + 2]), radius = pack::load(position[other + 3]);
+    for (; other < range.end; other += 4) {
+      const std::uint32_t last = range.end - 1;   // stands in for what is missing of the last pack
+      pack::V4 x = pack::load(position[other]), y = pack::load(position[std::min(other + 1, last)]);
+      pack::V4 z = pack::load(position[std::min(other + 2, last)]), radius = pack::load(position[std::min(other + 3, last)]);
       pack::transpose(x, y, z, radius);
       x -= pack::all(here[0]);
       y -= pack::all(here[1]);
       z -= pack::all(here[2]);
       const pack::V4 limit = radius + packed_reach;
-      const unsigned near = pack::bits(x * x + y * y + z * z <= limit * limit);
+      const unsigned present = (1u << std::min(4u, range.end - other)) - 1;
+      const unsigned near = pack::bits(x * x + y * y + z * z <= limit * limit) & present;
       for (std::uint32_t lane = 0; lane < 4; ++lane) {
         found[n] = {row, other + lane};
         n += near >> lane & 1;
       }
-    }
-    for (; other < range.end; ++other) {
-      const Row& p = position[other];
-      const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - centre.z, limit = p.w + reach;
-      if (dx * dx + dy * dy + dz * dz <= limit * limit) found[n++] = {row, other};
     }
     if (!out_.near_baffles.empty()) n = drop_separated(found, n, shift);
     if (!images_empty()) std::fill(images, images + n, range.image);
