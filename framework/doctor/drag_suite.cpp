@@ -263,8 +263,12 @@ Outcome check_threads(const PluginEntry& plugin) {
 }  // namespace
 
 std::vector<Check> drag_suite() {
-  return {{"stays in its columns", check_edges}, {"finite and positive", check_finite}, {"limits", check_limits},
-          {"grows with the slip", check_monotone}, {"similar beds", check_similar}, {"block split", check_split},
+  return {{"stays in its columns", check_edges},
+          {"finite and positive", check_finite, true},
+          {"block split", check_split, true},
+          {"limits", check_limits},
+          {"grows with the slip", check_monotone},
+          {"similar beds", check_similar},
           {"threads", check_threads}};
 }
 

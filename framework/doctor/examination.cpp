@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -39,8 +40,7 @@ Outcome told(Work&& work) {
   } catch (const PluginError& refusal) {
     return fail(refusal.what(), "A model is asked only for what its own tables allow.");
   } catch (const Complaint& complaint) {
-    return fail("it reports an error about rows that it must take: " + std::string(complaint.what()),
-                "A model takes everything within its declared ranges.");
+    return fail("it reports an error: " + std::string(complaint.what()), "A model takes whatever lies within its declared ranges, in an ordinary bed.");
   } catch (const std::exception& escaped) {
     return fail("an exception leaves it: " + std::string(escaped.what()), k_boundary);
   } catch (...) {
@@ -124,21 +124,35 @@ std::vector<Check> suite_of(const std::string& kind) {
   return suite;
 }
 
-/// A model that cannot be made has nothing else to show.
+/// One illness, one line: what rests on a check that failed is skipped, and a crash that comes again is named once.
+class History {
+ public:
+  Outcome shortened(const Check& check, const Outcome& outcome) {
+    if (outcome.verdict != Verdict::fail) return outcome;
+    if (check.others_rest_on_it && failed_.empty()) failed_ = check.name;
+    const auto [first, is_new] = first_seen_.try_emplace(outcome.seen, check.name);
+    return is_new ? outcome : fail("as in \"" + first->second + "\"", "");
+  }
+  /// Name of a failed check that others rest on, or empty.
+  const std::string& failed() const { return failed_; }
+
+ private:
+  std::string failed_;
+  std::map<std::string, std::string> first_seen_;
+};
+
 void examine_model(Examination& examination, const std::string& kind, const std::string& id, double limit) {
-  const std::string model = kind + " model " + id;
-  bool made = true;
+  History history;
   for (const Check& check : suite_of(kind)) {
-    Outcome outcome = skipped("there is no model to examine");
-    if (made)
+    Outcome outcome = skipped("\"" + history.failed() + "\" failed");
+    if (history.failed().empty())
       outcome = in_own_process(
           [&] {
             const Catalogue file = Catalogue::of_file(examination.file);
             return check.examine(*file.find(kind, id));
           },
           limit);
-    if (check.name == "made") made = outcome.verdict == Verdict::ok;
-    examination.findings.push_back({model, check.name, outcome});
+    examination.findings.push_back({kind + " model " + id, check.name, history.shortened(check, outcome)});
   }
 }
 

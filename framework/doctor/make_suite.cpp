@@ -112,7 +112,7 @@ Outcome check_ranges(const PluginEntry& plugin) {
 }  // namespace
 
 std::vector<Check> make_suite() {
-  return {{"units", check_units}, {"made", check_created}, {"parameter ranges", check_ranges}};
+  return {{"units", check_units}, {"made", check_created, true}, {"parameter ranges", check_ranges}};
 }
 
 }  // namespace similitude::doctor

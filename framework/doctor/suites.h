@@ -15,9 +15,10 @@ namespace similitude::doctor {
 struct Check {
   std::string name;
   std::function<Outcome(const PluginEntry&)> examine;
+  bool others_rest_on_it = false;   // if it fails, the checks after it would only say so again
 };
 
-/// The model reports an error about rows that it must take, in its own words.
+/// The model reports an error where it must not, in its own words.
 class Complaint : public std::runtime_error {
  public:
   explicit Complaint(const similitude_status& status);

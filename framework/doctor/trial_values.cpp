@@ -70,6 +70,7 @@ RealScene trial_scene() {
   background.rest = true;
   background.velocity = 0.46;
   scene.patches = {jet, background};
+  scene.models.contact = {"contact", "spring", {{"restitution", 0.9, "", SIMILITUDE_SCALES_AS_RESTITUTION, true}}, {}};
   scene.models.scaling.kind = "scaling";
   scene.models.scaling.id = "it";
   return scene;

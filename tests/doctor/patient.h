@@ -1,10 +1,10 @@
 #pragma once
-/// A patient before the doctor.
+/// Patients before the doctor: what fails, and in which words.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,18 +12,17 @@
 
 namespace similitude::doctor {
 
+/// The line of the report that an illness must be told on, literally.
+struct Illness {
+  std::string model;    // "drag model accelerates"
+  std::string check;
+  std::string seen, advice;
+  std::vector<std::string> also_fail = {};   // further lines that the same fault spoils
+};
+
 inline std::string library(const std::string& name) { return std::string(PATIENTS_FOLDER) + "/" + name + ".so"; }
 
-/// Examined once per program. Two seconds are long enough for every check of a patient but the one that never ends.
-inline const Examination& examined(const std::string& name, double limit = 60) {
-  static std::map<std::string, Examination> known;
-  const auto found = known.find(name);
-  if (found != known.end()) return found->second;
-  return known[name] = examine(library(name), limit);
-}
-
-/// The names of the checks that failed.
-inline std::vector<std::string> failures(const Examination& examination, const std::string& model) {
+inline std::vector<std::string> failed_checks(const Examination& examination, const std::string& model) {
   std::vector<std::string> names;
   for (const Finding& finding : examination.findings)
     if (finding.model == model && finding.outcome.verdict == Verdict::fail) names.push_back(finding.check);
@@ -35,6 +34,16 @@ inline Outcome outcome(const Examination& examination, const std::string& model,
     if (finding.model == model && finding.check == check) return finding.outcome;
   ADD_FAILURE() << "no check \"" << check << "\" of " << model;
   return {};
+}
+
+inline void expect_illness(const Examination& examination, const Illness& illness) {
+  SCOPED_TRACE(illness.model);
+  const Outcome told = outcome(examination, illness.model, illness.check);
+  EXPECT_EQ(told.seen, illness.seen);
+  EXPECT_EQ(told.advice, illness.advice);
+  std::vector<std::string> expected = illness.also_fail;
+  expected.push_back(illness.check);
+  EXPECT_THAT(failed_checks(examination, illness.model), testing::UnorderedElementsAreArray(expected));
 }
 
 }  // namespace similitude::doctor

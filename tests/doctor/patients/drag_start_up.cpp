@@ -12,7 +12,7 @@ struct Innocent {
 };
 
 __attribute__((constructor, no_sanitize("undefined"))) void fall_over() {
-  int* volatile nowhere = nullptr;
+  volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
 }
 
