@@ -9,6 +9,7 @@
 
 #include <omp.h>
 
+#include "loader/contact_answers.h"
 #include "particles/bricks.h"
 #include "particles/carried_history.h"
 #include "particles/contact_lists.h"
@@ -186,8 +187,7 @@ void Engine::Parts::adapt_skin() {
 void Engine::Parts::lay_out() {
   double largest_radius = 0;
   for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
-  const auto& functions = law.functions();
-  reach = functions.reach ? functions.reach(law.instance(), 2 * largest_radius) : 0;
+  reach = reach_of(law, 2 * largest_radius);
   contacts.set_reach(reach);
   skin = options.skin > 0 ? options.skin : skin_in_diameters * 2 * largest_radius;
   const double cut_off = 2 * largest_radius + reach + skin;
