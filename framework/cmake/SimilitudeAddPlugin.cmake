@@ -1,7 +1,7 @@
 # similitude_add_plugin(<name> KIND <kind> SOURCES … [LINKS …] [TEST …]): one plugin library, <kind>_<name>.so.
 #
 #   KIND     drag, contact, fluid, scaling or effect. A fluid plugin links libsimilitude; all others need headers only.
-#   SOURCES  usually one file
+#   SOURCES  usually one file, in C++ or in what fills the C boundary: C, Fortran
 #   LINKS    further libraries, private to the plugin
 #   TEST     sources of a GoogleTest program, which finds the library's path in the macro SIMILITUDE_PLUGIN_FILE
 #
@@ -31,12 +31,14 @@ function(similitude_add_plugin name)
 
   set(target ${ARG_KIND}_${name})
   add_library(${target} MODULE ${ARG_SOURCES})
-  target_compile_features(${target} PRIVATE cxx_std_20)
+  if(CMAKE_CXX_COMPILER_LOADED)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+  endif()
   set_target_properties(${target} PROPERTIES
     PREFIX "" SUFFIX ".so" CXX_EXTENSIONS OFF
     C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   # A type that is unique in the process would tie a plugin to its neighbours.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
   if(COMMAND similitude_flags)
     similitude_flags(${target})
@@ -120,7 +122,10 @@ function(similitude_refuse_fast_math target)
   get_target_property(options ${target} COMPILE_OPTIONS)
   get_target_property(link_options ${target} LINK_OPTIONS)
   get_target_property(flags ${target} COMPILE_FLAGS)
-  set(all "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}} ${options} ${link_options} ${flags}")
+  set(all "${options} ${link_options} ${flags}")
+  foreach(language C CXX Fortran)
+    string(APPEND all " ${CMAKE_${language}_FLAGS} ${CMAKE_${language}_FLAGS_${config}}")
+  endforeach()
   if(all MATCHES "(-ffast-math|-Ofast|-funsafe-math-optimizations)")
     message(FATAL_ERROR "${target}: ${CMAKE_MATCH_1} is among its flags, and a plugin must not be built with it. "
       "Remove it: -fno-math-errno and -fno-trapping-math, which let loops vectorise, are set already.")

@@ -1,6 +1,8 @@
 #pragma once
 #include <similitude/effect.h>
 
+#include <numbers>
+
 /// Rough spheres: a share of Stokes' drag on top of what the drag law gives. Put your effect here, and its source into this
 /// comment.
 struct @Type@ {
@@ -19,6 +21,8 @@ struct @Type@ {
   /// On one particle; the gas receives the opposite.
   template <class V>
   similitude::Addition<V> particles(const similitude::Particle<V>& p) const {
-    return {.linear_coefficient = share * 3 * similitude::k_pi * (p.gas_viscosity * p.diameter)};
+    similitude::Addition<V> added;
+    added.linear_coefficient = share * 3 * std::numbers::pi * (p.gas_viscosity * p.diameter);
+    return added;
   }
 };
