@@ -21,6 +21,7 @@
 #include <vector>
 
 #include <similitude/abi.h>
+#include <similitude/known_here.h>
 #include <similitude/layout.h>
 #include <similitude/parameters.h>
 #include <similitude/tag.h>
@@ -53,15 +54,6 @@ const T& model_of(const void* model) {
 template <class T>
 T& model_of(void* model) {
   return static_cast<std::vector<T>*>(model)->front();
-}
-
-/// A structure of the boundary as this plugin knows it: what an older host does not fill is zero.
-template <class S>
-S as_known_here(const S* given) {
-  S copy{};
-  std::memcpy(static_cast<void*>(&copy), given, std::min<std::size_t>(given->struct_size, sizeof copy));
-  copy.struct_size = sizeof copy;
-  return copy;
 }
 
 inline void refuse(similitude_status* status, const char* why, std::int32_t row = -1) {
