@@ -5,7 +5,8 @@
 #   LINKS    further libraries, private to the plugin
 #   TEST     sources of a GoogleTest program, which finds the library's path in the macro SIMILITUDE_PLUGIN_FILE
 #
-# The target is <kind>_<name>. This file serves the framework's own plugins and, installed, everybody else's:
+# The target is <kind>_<name>. Out of tree, after enable_testing(), the test <kind>_<name>_doctor has the program examine the
+# library (`similitude plugins doctor`). This file serves the framework's own plugins and, installed, everybody else's:
 #   find_package(similitude 0.1 REQUIRED COMPONENTS sdk)
 #   similitude_add_plugin(my_law KIND drag SOURCES my_law.cpp)
 # There the library lands in the project's build folder, which a case names under plugin_paths, and `cmake --install`
@@ -85,6 +86,9 @@ function(similitude_add_plugin name)
   endif()
   install(TARGETS ${target} LIBRARY DESTINATION ${SIMILITUDE_PLUGIN_INSTALL_DIRECTORY} COMPONENT plugins)
 
+  if(SIMILITUDE_PROGRAM)
+    add_test(NAME ${target}_doctor COMMAND ${SIMILITUDE_PROGRAM} plugins doctor $<TARGET_FILE:${target}>)
+  endif()
   if(ARG_TEST)
     similitude_add_plugin_test(${target} ${sdk} ${ARG_TEST})
   endif()
