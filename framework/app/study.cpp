@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "app/write_report_after.h"
 #include "scene/messages.h"
 
 namespace similitude::app {
@@ -104,6 +105,7 @@ int study(const StudyArguments& arguments) {
   write_study(plan, result, folder);
   print(plan, result, std::cout);
   std::cout << "\nresults in " << folder.string() << "\n";
+  write_report_after(folder);
   for (const StudyCase& one : result.cases)
     if (!one.done) return k_some_case_failed;
   return 0;

@@ -53,6 +53,13 @@ LawChoice law_from_text(const std::string& text);
 /// shrinks the bed, particles twice as large in it where a law leaves that free. What has not goes to `left_out`.
 std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::string>& left_out);
 
+/// What the scaling law of a case keeps and gives up, its own drag law asked for u_mf and u_t.
+struct ScalingAudit {
+  std::vector<GroupComparison> groups;
+  std::vector<std::string> warnings;
+};
+ScalingAudit audit_of(const Assembly& assembly, const Catalogue& catalogue, double gas_fraction_at_minimum);
+
 /// The laws side by side. A law that has no bed for this case tells so in its row, unless `laws` were asked for: then it
 /// throws. Throws InputError for a case without particles.
 Comparison compare_laws(const CaseAsTyped& typed, const std::vector<LawChoice>& laws);

@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "output/directory.h"
+#include "output/front_view.h"
 #include "output/manifest.h"
 #include "output/monitors.h"
 #include "output/probes.h"
@@ -52,7 +54,7 @@ class RunOutputs {
   void write_frame(const Simulation& simulation);
   void write_monitors(const Simulation& simulation);
 
-  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state);
+  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state, std::optional<double> time);
   bool draws() const { return assembly_.model.output.vtk_every > 0; }
 
   const OutputDirectory& directory_;
@@ -62,7 +64,8 @@ class RunOutputs {
   MonitorFile monitors_;
   std::optional<ProbeFile> probes_;
   ProfileSampler profiles_;
-  Schedule vtk_schedule_, monitor_schedule_, profile_schedule_;
+  FrontView front_view_;
+  Schedule front_view_schedule_, vtk_schedule_, monitor_schedule_, profile_schedule_;
   double last_frame_time_ = -1;
   double largest_overlap_ = 0, largest_overlap_of_run_ = 0;
 };
