@@ -96,7 +96,7 @@ int study(const StudyArguments& arguments) {
 
   std::cout << plan.study.title << "\n"
             << plan.cases.size() << " cases, one after the other; what they say is in run.log of their folders\n";
-  const int interrupted = run_cases(plan, folder, [](const std::string& line) { std::cout << line << std::endl; });
+  const int interrupted = run_cases(plan, plugins, folder, [](const std::string& line) { std::cout << line << std::endl; });
   if (interrupted != 0) {
     std::cout << "\ninterrupted; go on with --resume\n";
     return interrupted;

@@ -9,6 +9,7 @@
 #include "scene/case_file.h"
 #include "scene/messages.h"
 #include "stepper/inspection.h"
+#include "stepper/prediction.h"
 #include "stepper/time_steps.h"
 
 namespace similitude {
@@ -132,7 +133,8 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   strategy.particle_steps = bed.particle_steps;
   strategy.speedup = comparison.particle_steps / bed.particle_steps;
   strategy.wall_s = bed.particle_steps / comparison.particle_steps_per_s +
-                    std::ceil(assembly.model.time.end / bed.steps.gas_dt()) * comparison.gas_step_s;
+                    std::ceil(assembly.model.time.end / bed.steps.gas_dt()) *
+                        (comparison.gas_step_s + comparison.exchange_s * bed.particles);
   return strategy;
 }
 
@@ -152,8 +154,10 @@ Comparison started(const CaseAsTyped& typed) {
   const Assembly assembly = assemble(scene, typed.catalogue);
   const TimeSteps steps = choose_time_steps(assembly);
   const PredictedCost cost = predict_cost(assembly, steps);
+  if (!cost.gap.empty()) throw InputError("no cost can be compared: " + cost.gap);
   comparison.particle_steps_per_s = cost.particle_steps_per_s;
   comparison.gas_step_s = cost.gas_step_s;
+  comparison.exchange_s = cost.exchange_s;
   comparison.particle_steps = priced(typed, {"exact", "exact", "", ""}).particle_steps;
   return comparison;
 }

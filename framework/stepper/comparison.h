@@ -34,7 +34,7 @@ struct Comparison {
   std::string title;
   double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken
   double particle_steps = 0;            // of the real bed, simulated exactly
-  double particle_steps_per_s = 0, gas_step_s = 0;   // measured on this machine, with the case's own law
+  double particle_steps_per_s = 0, gas_step_s = 0, exchange_s = 0;   // measured on this machine, with the case's own law: see prediction.h
   std::vector<Strategy> strategies;
   std::vector<std::string> left_out;    // laws that cannot be put into words without the user
 };

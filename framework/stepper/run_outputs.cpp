@@ -1,6 +1,7 @@
 #include "stepper/run_outputs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace similitude {
@@ -104,6 +105,26 @@ void RunOutputs::observe(const Simulation& simulation) {
   if (monitor_schedule_.due(simulation.time())) write_monitors(simulation);
   if (front_view_schedule_.due(simulation.time())) front_view_.add(simulation.particles(), simulation.time());
   if (vtk_schedule_.due(simulation.time())) write_frame(simulation);
+}
+
+double RunOutputs::seconds_to_the_end(const Simulation& simulation) {
+  const double end = assembly_.model.time.end;
+  const auto times = [&](double every, double from) { return every > 0 ? std::max(0.0, (end - from) / every) : 0.0; };
+  const auto seconds_of = [](auto&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const Output& asked = assembly_.model.output;
+  double seconds = times(asked.monitor_every, 0) * seconds_of([&] { write_monitors(simulation); });
+  seconds += k_front_view_pictures * seconds_of([&] { front_view_.add(simulation.particles(), simulation.time()); });
+  if (asked.vtk_every > 0) seconds += times(asked.vtk_every, 0) * seconds_of([&] { write_frame(simulation); });
+  if (!asked.profiles.z.empty())
+    seconds += times(k_profile_interval * assembly_.results.time, asked.profiles.from) * seconds_of([&] {
+      profiles_.sample(simulation.particles(), simulation.time());
+      profiles_.sample(*assembly_.grid, simulation.exchange().gas_fraction, simulation.time());
+    });
+  return seconds;
 }
 
 void RunOutputs::finish(const Simulation& simulation) {

@@ -45,6 +45,9 @@ class RunOutputs {
   /// After the last step: the last frame if it is not there yet, and profiles.csv.
   void finish(const Simulation& simulation);
 
+  /// [s] that everything this run writes will take, from writing each kind once now. For a folder that is thrown away.
+  double seconds_to_the_end(const Simulation& simulation);
+
   const ProfileSampler& profiles() const { return profiles_; }
   /// Does the last frame show this instant [s, simulated]?
   bool shows(double time) const { return draws() && last_frame_time_ == time; }

@@ -69,21 +69,29 @@ function metric_words(name) { return name.replace(/_/g, " ").replace(/^./, (c) =
 function cell(value, words, path) {
   return element("td", known(value) ? { "data-value": String(value), "data-path": path || null } : { class: "none" }, words);
 }
-function gap_cell(why) { return element("td", { class: "gap" }, why || "–"); }
+// Why a number is missing stands once, under the table.
+let gap_notes = [];
+function gap_cell(why) {
+  if (!why) return element("td", { class: "gap" }, "–");
+  if (!gap_notes.includes(why)) gap_notes.push(why);
+  return element("td", { class: "gap" }, "none", element("sup", {}, String(gap_notes.indexOf(why) + 1)));
+}
 function case_head(one) {
   return element("th", { scope: "row" }, element("span", { class: "swatch", style: { background: colour(one.index) }, "data-swatch": one.index }),
     one.name, one.reference ? element("span", { class: "badge" }, "reference") : null);
 }
 function table(caption, heads, rows, words = []) {
-  return element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
+  const notes = gap_notes;
+  gap_notes = [];
+  return element("div", {}, element("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption },
     element("table", {}, element("caption", {}, caption),
       element("thead", {}, element("tr", {}, heads.map((head, k) => element("th", { scope: "col", class: words.includes(k) ? "words" : null }, head)))),
-      element("tbody", {}, rows)));
+      element("tbody", {}, rows))), notes.length > 0 ? element("ol", { class: "notes" }, notes.map((why) => element("li", {}, why))) : null);
 }
 
 // ------------------------------------------------------------------------------------------------------------ sections
-function section(id, title, says, ...children) {
-  document.getElementById("contents").append(element("a", { href: `#${id}` }, title));
+function section(id, name, title, says, ...children) {
+  document.getElementById("contents").append(element("a", { href: `#${id}` }, name));
   const made = element("section", { id, "aria-labelledby": `${id}-title` }, element("h2", { id: `${id}-title` }, title),
     says ? element("p", { class: "says" }, says) : null, ...children);
   document.getElementById("main").append(made);

@@ -38,9 +38,23 @@ function look() {
 function axis(text, more = {}) {
   return { title: { display: true, text, color: css("--ink") }, border: { color: css("--line") }, grid: { color: css("--grid") }, ...more };
 }
-// Marks of a logarithmic axis: 1, 2, 5 and their powers of ten.
+// Marks of a logarithmic axis: as many round numbers as there is room for, 1 alone in each power of ten or up to nine.
+const rounds = [[1, 1.2, 1.4, 1.6, 1.8, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9], [1, 1.5, 2, 3, 4, 5, 7], [1, 2, 5], [1, 3], [1]];
 function log_axis(text, words, more = {}) {
-  return axis(text, { type: "logarithmic", ticks: { callback: (value) => [1, 2, 5].includes(Number(String(value.toExponential()).split("e")[0])) ? words(value) : "" }, ...more });
+  return axis(text, {
+    type: "logarithmic", ticks: { callback: (value) => words(value), maxRotation: 0, autoSkip: false },
+    afterBuildTicks: (scale) => {
+      const low = Math.floor(Math.log10(scale.min)), high = Math.ceil(Math.log10(scale.max));
+      for (const round of rounds) {
+        scale.ticks = [];
+        for (let power = low; power <= high; ++power) for (const digit of round) {
+          const value = Number((digit * 10 ** power).toPrecision(3));
+          if (value >= scale.min && value <= scale.max) scale.ticks.push({ value });
+        }
+        if (scale.ticks.length <= 8) return;
+      }
+    },
+    ...more });
 }
 function line_style(index) {
   const paint = colour(index);
@@ -63,7 +77,7 @@ const error_bars = {
         const ends = [y.getPixelForValue(at.low), y.getPixelForValue(at.high)];
         ctx.beginPath(); ctx.moveTo(point.x, ends[0]); ctx.lineTo(point.x, ends[1]);
         ends.forEach((end, side) => {
-          const tip = at.lower_bound ? (side === 0 ? -5 : 5) : 0;
+          const tip = at.lower_bound && (side === 1 || at.low > 0) ? (side === 0 ? -5 : 5) : 0;
           ctx.moveTo(point.x - 5, end + tip); ctx.lineTo(point.x, end); ctx.lineTo(point.x + 5, end + tip);
         });
         ctx.stroke();
@@ -151,6 +165,11 @@ function profile_curves(sampler, z) {
     return { one, bins: found ? found.bins.filter((bin) => Math.abs(bin.z - z) < 1e-9 + 1e-6 * z && known(bin.mean)) : [] };
   }).filter((curve) => curve.bins.length > 0);
 }
+// Room for the bars: a chart sees its points only.
+function reach(sets) {
+  const ends = sets.flatMap((set) => set.data.flatMap((at) => [known(at.low) ? at.low : at.y, known(at.high) ? at.high : at.y]));
+  return { suggestedMin: Math.min(...ends), suggestedMax: Math.max(...ends) };
+}
 function profile_chart(sampler, z) {
   const curves = profile_curves(sampler, z);
   const widths = curves.flatMap(({ bins }) => bins.slice(1).map((bin, k) => bin.x - bins[k].x));
@@ -159,15 +178,15 @@ function profile_chart(sampler, z) {
     type: "line", label: one.name, ...line_style(one.index), bars: true, bar_alpha: .55, pointRadius: 3.2, tension: 0,
     data: bins.map((bin) => {
       const half = known(bin.standard_error) && bin.blocks >= 4 ? student(bin.blocks - 1) * bin.standard_error : NaN;
-      return { x: 1e3 * (bin.x + (k - (curves.length - 1) / 2) * .07 * step), y: bin.mean, low: bin.mean - half, high: bin.mean + half, bin };
+      return { x: 1e3 * (bin.x + (k - (curves.length - 1) / 2) * .035 * step), y: bin.mean, low: bin.mean - half, high: bin.mean + half, bin };
     }),
   }));
   return {
     data: { datasets: sets }, plugins: [error_bars],
     options: {
       interaction: { mode: "nearest", intersect: false },
-      scales: { x: axis("x [mm]", { type: "linear" }), y: axis(sampler) },
-      plugins: { legend: { position: "bottom" }, tooltip: { callbacks: {
+      scales: { x: axis("x [mm]", { type: "linear" }), y: axis(sampler.replace(/_/g, " "), reach(sets)) },
+      plugins: { legend: { position: "bottom", display: curves.length > 1 }, tooltip: { callbacks: {
         title: (items) => items[0].dataset.label,
         label: (item) => `x = ${short(1e3 * item.raw.bin.x, 4)} mm: ${short(item.raw.y, 4)}` + (known(item.raw.high) ? ` ± ${short(item.raw.high - item.raw.y, 2)}` : ""),
       } } },
@@ -250,7 +269,7 @@ function time_chart(sets, unit, log = false) {
     options: {
       interaction: { mode: "nearest", axis: "x", intersect: false },
       scales: { x: axis("time of the bed [s]", { type: "linear" }), y: log ? axis(unit, { type: "logarithmic" }) : axis(unit) },
-      plugins: { legend: { position: "bottom" }, tooltip: { callbacks: { title: (items) => `t = ${short(items[0].raw.x, 4)} s`, label: (item) => `${item.dataset.label}: ${short(item.raw.y, 4)}` } } },
+      plugins: { legend: { position: "bottom", display: sets.length > 1 }, tooltip: { callbacks: { title: (items) => `t = ${short(items[0].raw.x, 4)} s`, label: (item) => `${item.dataset.label}: ${short(item.raw.y, 4)}` } } },
     },
   };
 }

@@ -30,7 +30,7 @@ function head() {
 // ------------------------------------------------------------------------------------------------------------ frontier
 function frontier_section() {
   const metrics = study.metrics.map((m) => m.name).filter((name) => cases.some((one) => known(one.wall_s) && one.error[name] && known(one.error[name].value)));
-  const made = section("frontier", "Accuracy and cost", `Left is faster, low is closer to ${study.reference.name}. Bars are 95 % intervals; one that ends in arrows is a lower bound, because the run holds fewer than 20 independent samples. Two cases whose bars overlap cannot be told apart.`);
+  const made = section("frontier", "Accuracy and cost", "Accuracy and cost", `Left is faster, low is closer to ${study.reference.name}. Bars are 95 % intervals; one that ends in arrows is a lower bound, because the run holds fewer than 20 independent samples. Two cases whose bars overlap cannot be told apart.`);
   const metric_doc = element("p", { class: "says" });
   let metric = metrics[0];
   const says = () => { metric_doc.textContent = (study.metrics.find((m) => m.name === metric) || {}).doc || ""; };
@@ -49,15 +49,15 @@ function frontier_section() {
     if (one.pareto) header.append(element("span", { class: "badge", title: "no other case beats it in both time and error" }, "frontier"));
     return header;
   })(),
-    one.status === "done" ? cell(one.wall_s, seconds(one.wall_s) + (one.extrapolated_from_s ? " (scaled up)" : ""), `${one.path}.wall_s`) : gap_cell(`${one.status}${one.reason ? `: ${one.reason}` : ""}`),
-    cell(NaN, reference && known(reference.wall_s) && known(one.wall_s) ? `${short(reference.wall_s / one.wall_s, 2)} ×` : "–"),
+    one.status === "done" ? cell(one.wall_s, seconds(one.wall_s) + (one.extrapolated_from_s ? " (scaled up)" : ""), `${one.path}.wall_s`) : gap_cell(`${one.name} is ${one.status}${one.reason ? `: ${one.reason}` : ""}`),
+    cell(NaN, reference && known(reference.wall_s) && known(one.wall_s) && !one.reference ? `${short(reference.wall_s / one.wall_s, 2)} ×` : "–"),
     cell(one.particles, whole(one.particles), `${one.path}.particles`),
     ...study.metrics.map((m) => {
       const e = (one.error || {})[m.name];
       if (one.reference && e && e.value === 0) return cell(e.value, "0", `${one.path}.error.${m.name}.value`);
       return error_words(e) ? cell(e.value, error_words(e), `${one.path}.error.${m.name}.value`) : gap_cell(e && e.gap);
     })));
-  made.append(table("Wall time, and the error of every metric", ["case", "wall time", "reference / it", "grains", ...study.metrics.map((m) => `${metric_words(m.name)} error`)], rows));
+  made.append(table("Wall time, and the error by every metric", ["case", "wall time", "speed, reference = 1", "grains", ...study.metrics.map((m) => metric_words(m.name))], rows));
   if (study.frontier.steps.length > 0)
     made.append(element("h3", {}, "The price of each step along the frontier"), element("ul", { class: "plain" }, study.frontier.steps.map((step) => element("li", {}, `${step.from} → ${step.to}: ${short(step.time_ratio, 2)} × the time, ${(100 * step.error_change).toPrecision(2)} % of error${step.distinguishable ? "" : ", not distinguishable"}`))));
   const alike = Object.entries(study.indistinguishable).filter(([, pairs]) => pairs.length > 0);
@@ -72,7 +72,7 @@ function frontier_section() {
 
 function order_section() {
   if (!study.orders || study.orders.length === 0) return;
-  section("orders", "Observed orders", "p in error ~ step to the power p, from the cases whose error stands out of the noise. Where none does, the bed has a plateau: finer steps buy nothing that this run could see.",
+  section("orders", "Orders", "Observed orders", "p in error ~ step to the power p, from the cases whose error stands out of the noise. Where none does, the bed has a plateau: finer steps buy nothing that this run could see.",
     table("Orders along each axis", ["axis", "metric", "order", "95 % interval", "cases"], study.orders.map((one, k) => element("tr", {}, element("th", { scope: "row" }, one.axis), element("td", { class: "words" }, metric_words(one.metric)),
       known(one.order.value) ? cell(one.order.value, short(one.order.value), `orders.${k}.order.value`) : gap_cell(one.order.gap),
       element("td", {}, known(one.order.low) ? `${short(one.order.low, 2)} … ${short(one.order.high, 2)}` : "–"), element("td", { class: "words" }, one.cases.join(", ")))), [1, 4]));
@@ -88,7 +88,7 @@ function profile_section() {
   if (usable.length === 0) return;
   let chosen = usable[0], entry = null;
   const host = element("div", {}), behind = element("div", {});
-  const made = section("profiles", "Profiles across the bed", `Averages over time${study ? ", all cases over one another" : ""}. Bars are 95 % intervals from block averages; bins seen in fewer than four independent blocks carry none.`);
+  const made = section("profiles", "Profiles", "Profiles across the bed", `Averages over time${study ? ", all cases over one another" : ""}. Bars are 95 % intervals from block averages; bins seen in fewer than four independent blocks carry none.`);
   made.append(element("div", { class: "controls" }, chooser("Profile", usable.map(([sampler, z], k) => [String(k), `${sampler.replace(/_/g, " ")} at z = ${short(1e3 * z, 4)} mm`]), (value) => { chosen = usable[Number(value)]; entry.draw(); tabulate(); })), host, element("details", {}, element("summary", {}, "The numbers of this chart"), behind));
   entry = chart(host, "profiles across the bed", () => profile_chart(...chosen));
   function tabulate() {
@@ -106,7 +106,7 @@ function cost_section() {
   const timed = cases.filter((one) => (measured_stages(one) || []).length > 0);
   if (timed.length === 0) return;
   const predicted = timed.some(predicted_stages);
-  const made = section("cost", "Where the time goes", predicted ? "Full bars are measured, pale ones what a short calibration foretold before the run." : "Wall time of the parts of a step.");
+  const made = section("cost", "Time", "Where the time goes", predicted ? "Full bars are measured, pale ones what a short calibration foretold before the run." : "Wall time of the parts of a step.");
   const host = element("div", {});
   let relative = false, entry = null;
   made.append(element("div", { class: "controls" }, chooser("Bars show", [["s", "wall time"], ["share", "share of the wall time"]], (value) => { relative = value === "share"; entry.draw(); })), host);
@@ -145,7 +145,7 @@ function audit_section() {
   }
   const groups = laws[0].audit.groups.map((g) => g.name);
   const heads = laws.map((law) => laws.length === 1 ? law.audit.law : `${law.audit.law}${study ? `: ${law.names.join(", ")}` : ""}`);
-  const made = section("audit", "What the scaling law keeps", "Dimensionless groups of the simulated bed over those of the real one. Kept means within 0.1 %.");
+  const made = section("audit", "Scaling", "What the scaling law keeps", "Dimensionless groups of the simulated bed over those of the real one. Kept means within 0.1 %.");
   if (laws.length === 1 && laws[0].audit.law === "exact") made.querySelector(".says").textContent = "The bed was simulated as it is: every group is kept.";
   made.append(table("Simulated over real", ["group", "meaning", "real bed", ...heads], groups.map((name) => {
     const real = laws[0].audit.groups.find((g) => g.name === name);
@@ -172,7 +172,7 @@ function series_section() {
   let column = columns[0], entry = null;
   const thinned = Math.max(...cases.map((one) => (one.run.monitors || { every: 1 }).every));
   const host = element("div", {});
-  const made = section("series", "Along the run", `From monitors.csv${thinned > 1 ? "; long series are thinned for the charts" : ""}.`);
+  const made = section("series", "Along the run", "Along the run", `From monitors.csv${thinned > 1 ? "; long series are thinned for the charts" : ""}.`);
   made.append(element("div", { class: "controls" }, chooser("Series", columns.map((name) => [name, name.replace(/_/g, " ")]), (value) => { column = value; entry.draw(); })), host);
   entry = chart(host, "a monitor along the run", () => series_chart(column), true);
 
@@ -191,7 +191,7 @@ function series_section() {
 }
 
 function bed_section() {
-  const made = section("bed", "The bed from the front", study ? "All cases at the same instant and on the same scales, grains coloured by their speed." : "Grains coloured by their speed.");
+  const made = section("bed", "The bed", "The bed from the front", study ? "All cases at the same instant and on the same scales, grains coloured by their speed." : "Grains coloured by their speed.");
   if (!bed_player(made)) made.append(element("p", { class: "gap" }, "No pictures were kept (front_view.bin is missing)."));
 }
 
@@ -204,7 +204,7 @@ function origin_section() {
     const m = first_manifest;
     items.push(["command", m.command], ["program", m.program ? `${m.program.name} ${m.program.version}` : null], ["machine", machine.processor ? `${machine.processor}, ${machine.cores} cores, ${machine.kernel}` : null], ["state", m.state_hash]);
   }
-  const made = section("origin", "Where this comes from", null, table("Origin", ["", ""], items.filter(([, value]) => value).map(([name, value]) => element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "words" }, value))), [1]));
+  const made = section("origin", "Origin", "Where this comes from", null, table("Origin", ["", ""], items.filter(([, value]) => value).map(([name, value]) => element("tr", {}, element("th", { scope: "row" }, name), element("td", { class: "words" }, value))), [1]));
   const hashes = cases.filter((one) => one.run.manifest);
   made.append(element("details", {}, element("summary", {}, "Plugins and states"), ...hashes.map((one) => element("div", {}, element("h3", {}, `${one.name}: state ${one.run.manifest.state_hash || "none"}`),
     element("ul", { class: "plain" }, (one.run.manifest.plugins || []).map((p) => element("li", {}, `${p.kind} ${p.id} ${p.version}, SHA-256 ${String(p.sha256).slice(0, 16)}…`)))))));
