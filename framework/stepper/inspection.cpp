@@ -1,13 +1,10 @@
 #include "stepper/inspection.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
-#include "particles/engine.h"
 #include "scene/material_pairs.h"
 #include "scene/units.h"
 #include "stepper/bed.h"
@@ -17,59 +14,6 @@ namespace similitude {
 namespace {
 
 constexpr double k_pairs_per_particle = 4;           // listed in a half list with its skin, settled bed (measured 3.5 ... 4)
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double sphere_volume(double diameter) { return std::numbers::pi / 6 * diameter * diameter * diameter; }
-
-/// A cube of spheres of the first class, slightly overlapping, with as many neighbours as in a settled bed.
-struct CalibrationBed {
-  ModelScene scene;
-  ParticleStore particles;
-};
-CalibrationBed calibration_bed(const Assembly& assembly, int particles_per_edge) {
-  CalibrationBed bed{.scene = assembly.model, .particles = ParticleStore(store_fields(assembly))};
-  const ParticleClass& species = assembly.model.particles.front();
-  const double pitch = 0.999 * species.diameter;
-  const double edge = pitch * particles_per_edge;
-  bed.scene.size = {edge, edge, edge};
-  bed.scene.patches.clear();
-  bed.scene.baffles.clear();
-  bed.scene.periodic = {false, false, false};
-  std::uint64_t id = 0;
-  for (int k = 0; k < particles_per_edge; ++k) {
-    for (int j = 0; j < particles_per_edge; ++j) {
-      for (int i = 0; i < particles_per_edge; ++i) {
-        bed.particles.add(id++, 0, pitch * (i + 0.5), pitch * (j + 0.5), pitch * (k + 0.5), species.diameter / 2,
-                          species.density * sphere_volume(species.diameter));
-      }
-    }
-  }
-  return bed;
-}
-
-double calibrated_particle_steps_per_s(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_particles_per_edge = 16;
-  constexpr int k_warm_up = 20, k_sub_steps = 100;
-  CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
-  Engine engine(bed.particles, bed.scene, assembly.contact, {.dt = steps.dt, .gravity = assembly.model.gravity});
-  engine.advance(k_warm_up);
-  const auto start = std::chrono::steady_clock::now();
-  engine.advance(k_sub_steps);
-  return static_cast<double>(bed.particles.size()) * k_sub_steps / seconds_since(start);
-}
-
-/// Seconds of one gas step with the bed's resistance left out: the gas alone, inlets at full ramp.
-double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_warm_up = 2, k_steps = 4;
-  Simulation simulation(assembly, steps, ParticleStore(store_fields(assembly)), [](const std::string&) {});
-  for (int i = 0; i < k_warm_up; ++i) simulation.step();
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < k_steps; ++i) simulation.step();
-  return seconds_since(start) / k_steps;
-}
 
 /// A contact parameter's value as a case would give it; empty if it is not given.
 std::string written(const Assembly& assembly, const ModelChoice& set, std::size_t place) {
@@ -156,18 +100,6 @@ std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catal
                         .verdict = relevance.verdict});
   }
   return verdicts;
-}
-
-PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
-  PredictedCost cost;
-  cost.particles = expected_particles(assembly.model);
-  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt());
-  cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);
-  if (!assembly.model.particles.empty()) cost.particle_steps_per_s = calibrated_particle_steps_per_s(assembly, steps);
-  cost.gas_step_s = calibrated_gas_step(assembly, steps);
-  cost.wall_s = gas_steps * cost.gas_step_s;
-  if (cost.particle_steps_per_s > 0) cost.wall_s += cost.particle_steps / cost.particle_steps_per_s;
-  return cost;
 }
 
 }  // namespace similitude
