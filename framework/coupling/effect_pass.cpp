@@ -63,8 +63,12 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
                                        .gas_fraction = column(k_fraction),
                                        .gas_density = column(k_density),
                                        .gas_viscosity = column(k_viscosity),
+                                       .angular_velocity = {},
+                                       .gas_vorticity = {},
+                                       .gas_acceleration = {},
                                        .force = {column(k_fx), column(k_fy), column(k_fz)},
-                                       .linear_coefficient = column(k_linear)};
+                                       .linear_coefficient = column(k_linear),
+                                       .added_mass = nullptr};
   effect_.functions().particles(effect_.instance(), &view, &status);
   if (status.code != 0) return;
 

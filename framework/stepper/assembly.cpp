@@ -104,7 +104,9 @@ similitude_relevance relevance_of(const PluginEntry& effect, const similitude_be
   similitude_relevance relevance{};
   relevance.struct_size = sizeof(relevance);
   relevance.verdict = -1;
-  if (model.functions().relevance != nullptr) model.functions().relevance(model.instance(), &bed, &relevance);
+  const similitude_evidence evidence{.struct_size = sizeof evidence, .reserved = 0, .bed = &bed, .value = nullptr,
+                                     .inflow_value = nullptr, .occurred = nullptr};
+  model.functions().relevance(model.instance(), &evidence, &relevance);
   return relevance;
 }
 
