@@ -35,6 +35,8 @@ void ParticleStore::reserve(std::size_t n) {
     stress_force.reserve(n);
     drag_impulse.reserve(n);
   }
+  for (NamedColumn& scalar : scalars) scalar.value.reserve(n);
+  if (!scalars.empty()) spare_scalars_.reserve(n);
   id.reserve(n);
   spare_ids_.reserve(n);
   species.reserve(n);
@@ -55,6 +57,7 @@ std::size_t ParticleStore::add(std::uint64_t new_id, std::uint32_t new_species, 
     stress_force.push_back({});
     drag_impulse.push_back({});
   }
+  for (NamedColumn& scalar : scalars) scalar.value.push_back(0);
   id.push_back(new_id);
   species.push_back(new_species);
   return position.size() - 1;
@@ -68,6 +71,7 @@ void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
   if (fields.coupling) {
     for (Column<Row>* column : {&gas, &stress_force, &drag_impulse}) reorder_column(*column, order, spare_rows_);
   }
+  for (NamedColumn& scalar : scalars) reorder_column(scalar.value, order, spare_scalars_);
   reorder_column(id, order, spare_ids_);
   reorder_column(species, order, spare_species_);
 }
@@ -82,6 +86,7 @@ void ParticleStore::copy_rows(const ParticleStore& other) {
   gas = other.gas;
   stress_force = other.stress_force;
   drag_impulse = other.drag_impulse;
+  scalars = other.scalars;
   id = other.id;
   species = other.species;
 }
@@ -90,6 +95,8 @@ std::size_t ParticleStore::bytes_per_particle() const {
   const std::size_t rows = size();
   std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(spare_ids_, rows) + bytes_per_row(species, rows) +
                       bytes_per_row(spare_species_, rows) + bytes_per_row(spare_rows_, rows);
+  for (const NamedColumn& scalar : scalars) bytes += bytes_per_row(scalar.value, rows);
+  if (!scalars.empty()) bytes += bytes_per_row(spare_scalars_, rows);
   for (const Column<Row>* column : {&position, &velocity, &force, &angular_velocity, &torque, &gas, &stress_force,
                                     &drag_impulse}) {
     bytes += bytes_per_row(*column, rows);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <string>
 #include <vector>
 
 namespace similitude {
@@ -29,6 +30,12 @@ struct alignas(32) Row {
   double x = 0, y = 0, z = 0, w = 0;
 };
 
+/// Something that effects declared, a value per row: a temperature, a mass fraction.
+struct NamedColumn {
+  std::string name, unit;
+  Column<double> value;
+};
+
 /// What the particles carry beyond position, velocity and force.
 struct StoreFields {
   bool rotation = false;    // angular velocity and torque
@@ -48,12 +55,13 @@ struct ParticleStore {
   Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
   Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
   Column<Row> drag_impulse;       // [N s], received less what the gas was charged: see Coupling::interpolate; coupling only
+  std::vector<NamedColumn> scalars;   // what effects declared; none without them. Whoever adds one fills it
   Column<std::uint64_t> id;       // for ever
   Column<std::uint32_t> species;  // index into the scene's particle classes
 
   std::size_t size() const { return position.size(); }
   void reserve(std::size_t n);
-  /// Adds a particle at rest; the row is valid until the next sort. `drag` rows start at zero.
+  /// Adds a particle at rest; the row is valid until the next sort. `drag` rows and scalars start at zero.
   std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
   /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
   void reorder(const std::vector<std::uint32_t>& order);
@@ -67,6 +75,7 @@ struct ParticleStore {
   Column<Row> spare_rows_;
   Column<std::uint64_t> spare_ids_;
   Column<std::uint32_t> spare_species_;
+  Column<double> spare_scalars_;
 };
 
 }  // namespace similitude
