@@ -457,6 +457,8 @@ void Engine::set_options(const EngineOptions& options) {
 void Engine::save(EngineState& state) const { parts_->save(state); }
 void Engine::restore(const EngineState& state) { parts_->restore(state); }
 
+void Engine::touching(TouchingContacts& out) const { collect_touching(parts_->lists, out); }
+
 const EngineReport& Engine::report() const { return parts_->report; }
 
 std::vector<StageTime> Engine::stage_times() const {

@@ -86,7 +86,11 @@ void ParticleStore::copy_rows(const ParticleStore& other) {
   gas = other.gas;
   stress_force = other.stress_force;
   drag_impulse = other.drag_impulse;
-  scalars = other.scalars;
+  scalars.resize(other.scalars.size());   // their names stay: a checkpoint does not know them
+  for (std::size_t s = 0; s < scalars.size(); ++s) {
+    if (scalars[s].name.empty()) scalars[s] = other.scalars[s];
+    scalars[s].value = other.scalars[s].value;
+  }
   id = other.id;
   species = other.species;
 }

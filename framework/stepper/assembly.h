@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/exchange_coefficient.h"
+#include "coupling/scalar_plan.h"
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
 #include "output/map_back.h"
@@ -24,7 +25,8 @@ struct Assembly {
   ContactModel contact;
   DragModel drag;
   FluidModel fluid;
-  std::vector<EffectModel> effects;      // those with something to do on particles
+  std::vector<EffectModel> effects;      // in the order of the case
+  ScalarPlan scalars;                    // what the effects carry
   similitude_contact_needs contact_needs{};
   similitude_fluid_needs fluid_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest

@@ -11,6 +11,7 @@
 #include "output/probes.h"
 #include "output/profiles.h"
 #include "output/run_state.h"
+#include "output/scalar_file.h"
 #include "output/vtk_writer.h"
 #include "stepper/simulation.h"
 
@@ -51,6 +52,7 @@ class RunOutputs {
  private:
   void write_frame(const Simulation& simulation);
   void write_monitors(const Simulation& simulation);
+  void write_scalars(const Simulation& simulation);
 
   RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state);
   bool draws() const { return assembly_.model.output.vtk_every > 0; }
@@ -61,6 +63,7 @@ class RunOutputs {
   VtkWriter vtk_;
   MonitorFile monitors_;
   std::optional<ProbeFile> probes_;
+  std::optional<ScalarFile> scalars_;
   ProfileSampler profiles_;
   Schedule vtk_schedule_, monitor_schedule_, profile_schedule_;
   double last_frame_time_ = -1;

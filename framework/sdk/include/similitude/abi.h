@@ -487,7 +487,9 @@ typedef struct similitude_contact_effect_block {
   double* history[SIMILITUDE_MAX_HISTORY];   /* in and out; zero in the first step of a contact */
   double* force[3];                     /* add [N], on i; j receives the opposite */
   double* couple[3];                    /* add [N m], on i; null unless added */
-  double* const* flow;                  /* out, by quantity of particle scalars: amount per second from j into i; null unless added */
+  double* const* flow;                  /* out, by quantity of particle scalars: amount per second from j into i; null in calls for forces.
+                                           Flows are asked for in calls of their own, once per gas step with its dt, without
+                                           history, force and couple */
 } similitude_contact_effect_block;
 
 /* A block of cells. Once per gas step, before the gas. [worker] */
