@@ -1,7 +1,9 @@
 #include "stepper/assembly.h"
 
+#include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
+#include "stepper/effects.h"
 
 namespace similitude {
 namespace {
@@ -73,30 +75,6 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
-/// An effect with all parameters at their defaults.
-ModelChoice with_defaults(const PluginEntry& effect) {
-  ModelChoice choice{.kind = "effect", .id = effect.descriptor->id, .parameters = {}, .mark = {}};
-  for (std::uint32_t i = 0; i < effect.descriptor->parameter_count; ++i) {
-    const similitude_parameter& row = effect.descriptor->parameters[i];
-    choice.parameters.push_back({.name = row.name,
-                                 .real = row.default_value,
-                                 .text = row.default_text != nullptr ? row.default_text : "",
-                                 .scales_as = row.scales_as,
-                                 .given = false});
-  }
-  return choice;
-}
-
-/// `effects: auto` becomes the list of those the real bed calls for.
-void choose_effects(RealScene& scene, const Catalogue& catalogue) {
-  if (!scene.models.effects_auto) return;
-  const similitude_bed bed = describe(scene);
-  for (const std::string& id : catalogue.ids("effect")) {
-    const PluginEntry& effect = *catalogue.find("effect", id);
-    if (relevance_of(effect, bed).verdict == 1) scene.models.effects.push_back(with_defaults(effect));
-  }
-}
-
 /// Gas and particle of the real bed exchange heat and mass at their own pace. Nothing is known that scales it together with
 /// the motion, so that only beds with the real gas and the real particle in it are left: the exact one, and parcels.
 void refuse_scaled_scalars(const Assembly& assembly) {
@@ -131,17 +109,6 @@ void check_gas_for_effects(const Assembly& assembly) {
 
 }  // namespace
 
-similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed) {
-  const EffectModel model = create_model<similitude_effect_functions>(effect, bed, values_of(with_defaults(effect)));
-  similitude_relevance relevance{};
-  relevance.struct_size = sizeof(relevance);
-  relevance.verdict = -1;
-  const similitude_evidence evidence{.struct_size = sizeof evidence, .reserved = 0, .bed = &bed, .value = nullptr,
-                                     .inflow_value = nullptr, .occurred = nullptr};
-  model.functions().relevance(model.instance(), &evidence, &relevance);
-  return relevance;
-}
-
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
   assembly.real = scene;
@@ -163,9 +130,12 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.drag = create<similitude_drag_functions>(catalogue, models.drag, bed, assembly.plugins);
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
   for (const ModelChoice& choice : models.effects) {
-    EffectModel effect = create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins);
-    assembly.effects.push_back(std::move(effect));
+    assembly.effects.push_back(create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins));
+    const similitude_effect_needs needs = needs_of(assembly.effects.back());
+    assembly.effect_reads |= needs.reads;
+    assembly.effect_adds |= needs.adds;
   }
+  check_partners(assembly.real, assembly.effects);
   assembly.grid = std::make_unique<Grid>(assembly.model);
 
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);

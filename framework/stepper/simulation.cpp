@@ -42,7 +42,7 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   guards_.check_gas(gas_report_, status, 0);
 
   engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
-                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
+                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity}, assembly.effects);
   accounts_ = Accounts(particles_, gas_mass());
   assemble_stages();
 }
@@ -50,8 +50,11 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
 /// Passes and fields that the case's effects ask for, and nothing else.
 void Simulation::set_up_effects() {
   const Grid& grid = *assembly_.grid;
+  if ((assembly_.effect_reads & (SIMILITUDE_READS_GAS_VORTICITY | SIMILITUDE_READS_GAS_ACCELERATION)) != 0) {
+    gas_motion_ = std::make_unique<GasMotion>(assembly_.model, grid, assembly_.coupled(), assembly_.effect_reads);
+  }
   for (const EffectModel& effect : assembly_.effects) {
-    if (effect.functions().particles != nullptr) effects_.emplace_back(assembly_.model, grid, effect);
+    if (effect.functions().particles != nullptr) effects_.emplace_back(assembly_.model, grid, effect, gas_motion_.get());
     if (effect.functions().cells != nullptr) cell_effects_.emplace_back(assembly_.model, grid, effect);
   }
   if (!cell_effects_.empty()) gas_.added_viscosity.assign(grid.cell_count(), 0);
@@ -108,8 +111,20 @@ void Simulation::assemble_stages() {
                          effect.apply(gas_, coupling_->fields().gas_fraction, time());
                        }});
   }
+  if (gas_motion_ && gas_motion_->acceleration()) {
+    stages_.push_back({"effects: gas before its step", [this] { gas_motion_->remember(gas_); }});
+  }
   stages_.push_back({std::string("fluid: ") + assembly_.fluid.descriptor().id, [this] { advance_gas(); }});
   stages_.push_back({"interpolate", [this, gas_dt] { coupling_->interpolate(particles_, gas_, gas_dt); }});
+  if (gas_motion_) {
+    stages_.push_back({std::string("effects: ") + (gas_motion_->vorticity() ? "vorticity" : "") +
+                           (gas_motion_->vorticity() && gas_motion_->acceleration() ? " and " : "") +
+                           (gas_motion_->acceleration() ? "acceleration" : "") + " of the gas",
+                       [this, gas_dt] { gas_motion_->update(gas_, time() + gas_dt, gas_dt); }});
+  }
+  if (particles_.fields.added_mass) {
+    stages_.push_back({"effects: no added mass yet", [this] { std::ranges::fill(particles_.added_mass, 0.0); }});
+  }
   for (EffectPass& effect : effects_) {
     stages_.push_back({std::string("effect: ") + effect.id(),
                        [this, gas_dt, &effect] { effect.apply(particles_, coupling_->fields().gas_fraction, gas_dt); }});

@@ -85,6 +85,7 @@ class Simulation {
   ParticleStore particles_;
   GasFields gas_;
   std::unique_ptr<Coupling> coupling_;
+  std::unique_ptr<GasMotion> gas_motion_;   // null: no effect reads it
   std::vector<EffectPass> effects_;
   std::vector<CellPass> cell_effects_;
   std::unique_ptr<ScalarExchange> scalars_;      // null without scalars

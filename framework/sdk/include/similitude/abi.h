@@ -391,7 +391,8 @@ enum {
 enum {
   SIMILITUDE_ADDS_ADDED_MASS = 1,          /* of the particle pass */
   SIMILITUDE_ADDS_COUPLE = 2,              /* of the contact pass */
-  SIMILITUDE_ADDS_FLOW = 4                 /* of particle scalars, of the contact pass */
+  SIMILITUDE_ADDS_FLOW = 4,                /* of particle scalars, of the contact pass */
+  SIMILITUDE_ADDS_FLOW_ALONE = 8           /* with it: the contact pass adds no force and is not called for one */
 };
 
 typedef struct similitude_effect_needs {

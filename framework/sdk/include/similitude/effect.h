@@ -162,6 +162,7 @@ struct EffectTable {
     n.struct_size = out->struct_size;
     n.reads = reads_of(effect);
     n.adds = adds_of(effect);
+    if constexpr (has_flow && !contacts_with_memory && !contacts_without_memory) n.adds |= SIMILITUDE_ADDS_FLOW_ALONE;
     if constexpr (has_history<Effect>) {
       if (keeps_history(effect)) {
         for (const HistoryValue& value : Effect::history) {
