@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "doctor/examination.h"
 #include "loader/describe.h"
 
 namespace similitude::app {
@@ -39,6 +40,27 @@ void add_page(CLI::App& plugins, Action& action, const std::string& name, const 
   command->callback([arguments, page, &action] { action = [arguments, page] { return page(*arguments); }; });
 }
 
+constexpr int k_not_healthy = 3;   // as any plugin that is refused
+
+void add_doctor(CLI::App& plugins, Action& action) {
+  auto file = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = plugins.add_subcommand("doctor", "Examine a plugin's file and what its models do, each check in a process of its own.");
+  command->add_option("FILE", *file, "the library, e.g. build/drag_my_law.so")->required();
+  command->add_flag("--json", *json, "for other programs");
+  command->callback([file, json, &action] {
+    action = [file, json] {
+      const doctor::Examination examination = doctor::examine(*file);
+      if (*json) {
+        say(doctor::examination_json(examination));
+      } else {
+        say(doctor::examination_text(examination));
+      }
+      return examination.healthy() ? 0 : k_not_healthy;
+    };
+  });
+}
+
 }  // namespace
 
 void add_plugins(CLI::App& app, Action& action) {
@@ -58,6 +80,7 @@ void add_plugins(CLI::App& app, Action& action) {
              const Catalogue known = catalogue_of(arguments);
              return arguments.json ? say(failures_json(known)) : say(failures_text(known));
            });
+  add_doctor(*plugins, action);
 }
 
 }  // namespace similitude::app

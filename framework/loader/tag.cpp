@@ -88,9 +88,13 @@ std::optional<Refusal> check_file(const fs::path& file) {
   if (fs::is_directory(file, ignored))
     return Refusal{"it is a folder, not a library.",
                    "Move it elsewhere, or name the folder itself under plugin_paths."};
-  if (fs::is_symlink(file, ignored) && !fs::exists(file, ignored))
-    return Refusal{"it is a symbolic link to " + fs::read_symlink(file, ignored).string() + ", which is not there.",
+  std::error_code failed;
+  if (fs::is_symlink(file, ignored) && !fs::exists(file, failed)) {
+    const bool circle = failed == std::errc::too_many_symbolic_link_levels;
+    return Refusal{"it is a symbolic link to " + fs::read_symlink(file, ignored).string() +
+                       (circle ? " in a circle of links." : ", which is not there."),
                    "Point the link to the library, or remove it."};
+  }
   if (!fs::is_regular_file(file, ignored) && fs::exists(file, ignored))  // opening a pipe would wait for its writer
     return Refusal{"it is not a regular file.", "Move it elsewhere."};
   return std::nullopt;

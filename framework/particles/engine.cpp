@@ -1,12 +1,15 @@
 #include "particles/engine.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <thread>
 
 #include <omp.h>
 
+#include "loader/contact_answers.h"
 #include "particles/bricks.h"
 #include "particles/carried_history.h"
 #include "particles/contact_effects.h"
@@ -37,6 +40,7 @@ struct alignas(64) BrickOutcome {
   DeepestContact deepest;          // since advance() began, or since the last rebuild in it
   bool near_outlet = false;        // some row may leave before the next rebuild
   bool left = false;
+  std::int64_t pushed_in = -1;     // sub-step in which its pairs were last pushed; shared by threads
 };
 
 std::string at_place(double x, double y, double z) {
@@ -116,8 +120,10 @@ struct Engine::Parts {
   std::vector<std::uint8_t> leaves;       // per row, at a rebuild
   std::vector<std::uint32_t> new_row;
   std::vector<BrickOutcome> outcomes;
+  std::vector<double> moved;              // [m], per brick in the last sub-step, at most
   Column<BlockColumns> columns;           // per thread
   std::vector<LawComplaint> complaints;   // per thread
+  std::vector<std::vector<std::uint32_t>> pushed;   // per thread: bricks that are yet to move
   std::size_t listed_rows = 0;
   bool stale = true;                      // the lists must be built before the next sub-step, whatever moved
   double reach = 0;                       // [m], of law and effects
@@ -179,10 +185,9 @@ void Engine::Parts::adapt_skin() {
 
 /// [m], at the largest particle's diameter.
 double Engine::Parts::reach_of_law() const {
-  if (!law.functions().reach) return 0;
   double largest_radius = 0;
   for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
-  return law.functions().reach(law.instance(), 2 * largest_radius);
+  return reach_of(law, 2 * largest_radius);
 }
 
 void Engine::Parts::lay_out() {
@@ -228,6 +233,8 @@ void Engine::Parts::build_lists(std::size_t rows) {
   std::copy(particles.position.begin(), particles.position.end(), reference.begin());
   outcomes.reserve(bricks.places());
   outcomes.resize(bricks.count());
+  moved.reserve(bricks.places());
+  moved.resize(bricks.count());
   for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
   listed_rows = rows;
 }
@@ -267,18 +274,23 @@ void Engine::Parts::sub_step() {
     const auto lap = [&](Stage stage) {
       if (main_thread) clock.lap(stage);
     };
-#pragma omp for schedule(dynamic, 1) nowait
-    for (std::uint32_t brick = 0; brick < count; ++brick) {
+    const auto push = [&](std::uint32_t brick) {
       BrickOutcome& outcome = outcomes[brick];
       outcome.contacts = contacts.pairs(brick, options.dt, columns[thread], outcome.deepest, complaints[thread]);
       lap(Stage::contacts);
       outcome.contacts += contacts.surfaces(brick, options.dt, columns[thread], outcome.wall_force, outcome.deepest, complaints[thread]);
       lap(Stage::walls);
-    }
-#pragma omp barrier
-    lap(Stage::waiting);
-#pragma omp for schedule(dynamic, 1) nowait
-    for (std::uint32_t brick = 0; brick < count; ++brick) {
+      std::atomic_ref(outcome.pushed_in).store(steps, std::memory_order_release);
+    };
+    // A brick moves as soon as the last of the pairs that look at it has been pushed, its rows still in the cache: pairs look
+    // from a brick at itself and at later ones.
+    const auto may_move = [&](std::uint32_t brick) {
+      for (std::uint32_t n = lists.first_earlier[brick]; n < lists.first_earlier[brick + 1]; ++n) {
+        if (std::atomic_ref(outcomes[lists.earlier[n]].pushed_in).load(std::memory_order_acquire) != steps) return false;
+      }
+      return true;
+    };
+    const auto move = [&](std::uint32_t brick) {
       const std::uint32_t begin = bricks.first_row(brick), end = bricks.end_row(brick);
       contacts.collect_shares(brick);
       lap(Stage::exchange);
@@ -289,6 +301,23 @@ void Engine::Parts::sub_step() {
         for (std::uint32_t row = begin; row < end; ++row) outcome.left |= surfaces.has_left(particles.position[row]);
       }
       lap(Stage::integrate);
+    };
+    std::vector<std::uint32_t>& waiting = pushed[thread];
+    waiting.clear();
+#pragma omp for schedule(monotonic : dynamic, 1) nowait
+    for (std::uint32_t brick = 0; brick < count; ++brick) {
+      push(brick);
+      waiting.push_back(brick);
+      std::erase_if(waiting, [&](std::uint32_t other) {
+        if (!may_move(other)) return false;
+        move(other);
+        return true;
+      });
+    }
+    for (const std::uint32_t brick : waiting) {
+      while (!may_move(brick)) std::this_thread::yield();   // another thread is pushing its last brick
+      lap(Stage::waiting);
+      move(brick);
     }
 #pragma omp barrier
     lap(Stage::waiting);
@@ -303,6 +332,10 @@ void Engine::Parts::sub_step() {
   }
   keep_accounts();
   report.largest_speed = std::sqrt(fastest);
+  for (std::size_t brick = 0; brick < outcomes.size(); ++brick) {
+    moved[brick] = options.dt * std::sqrt(outcomes[brick].motion.largest_speed_squared);
+  }
+  lists.have_moved(moved);
   travel += options.dt * report.largest_speed;
   report.particle_steps += listed_rows;
 }
@@ -337,9 +370,14 @@ void Engine::Parts::advance(std::int64_t sub_steps) {
   if (columns.size() < threads) {
     columns.resize(threads);
     complaints.resize(threads);
+    pushed.resize(threads);
+  }
+  for (std::vector<std::uint32_t>& waiting : pushed) {
+    if (waiting.capacity() < bricks.places()) waiting.reserve(bricks.places());
   }
   report.largest_overlap = {};
   for (BrickOutcome& outcome : outcomes) outcome.deepest = {};
+  lists.were_moved_from_outside();
   // Others may have added particles or moved them since.
   if (particles.size() != listed_rows) {
     stale = true;

@@ -40,10 +40,16 @@ struct About {
   const char* reference = nullptr;
 };
 
-/// A model as the host holds it: one T per parameter set.
+/// A model as the host holds it: one T per parameter set, and the host it was made by, which may be null.
+template <class T>
+struct Made {
+  std::vector<T> sets;
+  const similitude_host* host;
+};
+
 template <class T>
 const std::vector<T>& sets_of(const void* model) {
-  return *static_cast<const std::vector<T>*>(model);
+  return static_cast<const Made<T>*>(model)->sets;
 }
 
 /// The model of a kind that has one parameter set: everything but contact laws.
@@ -53,7 +59,7 @@ const T& model_of(const void* model) {
 }
 template <class T>
 T& model_of(void* model) {
-  return static_cast<std::vector<T>*>(model)->front();
+  return static_cast<Made<T>*>(model)->sets.front();
 }
 
 /// A structure of the boundary as this plugin knows it: what an older host does not fill is zero.
@@ -84,6 +90,21 @@ void guarded(similitude_status* status, const std::int32_t& row, Work&& work) no
   }
 }
 
+/// The answer of a function that has no status. What the author throws goes to the host's log under the function's name,
+/// and the answer is not a number, which the host refuses.
+template <class T, class Work>
+double number_or_nan(const void* model, const char* function, Work&& work) noexcept {
+  double answer = not_given;
+  similitude_status status{};
+  guarded(&status, -1, [&] { answer = work(); });
+  if (status.code == 0) return answer;
+  const similitude_host* host = static_cast<const Made<T>*>(model)->host;
+  char words[sizeof status.text + 64];
+  std::snprintf(words, sizeof words, "%s: %s", function, status.text);
+  if (host && host->log) host->log(1, words);
+  return not_given;
+}
+
 template <class T>
 void prepare_model(T& model, const Bed& bed) {
   if constexpr (requires { model.prepare(bed); }) {
@@ -94,15 +115,15 @@ void prepare_model(T& model, const Bed& bed) {
 }
 
 template <class T>
-void* create_sets(const similitude_host*, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
+void* create_sets(const similitude_host* host, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
                   similitude_status* status) noexcept {
   void* made = nullptr;
   std::int32_t row = -1;
   guarded(status, row, [&] {
     const Parameters<T>& parameters = parameters_of<T>();
     const Bed known = as_known_here(bed);
-    auto models = std::make_unique<std::vector<T>>(sets);
-    for (T& model : *models) {
+    auto models = std::make_unique<Made<T>>(Made<T>{std::vector<T>(sets), host});
+    for (T& model : models->sets) {
       ++row;
       parameters.read(values + static_cast<std::size_t>(row) * parameters.table().size(), model);
       prepare_model(model, known);
@@ -114,7 +135,7 @@ void* create_sets(const similitude_host*, const similitude_bed* bed, const simil
 
 template <class T>
 void destroy_sets(void* model) noexcept {
-  delete static_cast<std::vector<T>*>(model);
+  delete static_cast<Made<T>*>(model);
 }
 
 /// A descriptor of any kind. `functions` is the similitude_<kind>_functions and lives for ever.
