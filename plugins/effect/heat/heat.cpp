@@ -9,7 +9,11 @@ namespace {
 using similitude::Asked;
 using similitude::EffectContact;
 using similitude::ScalarParticle;
+using similitude::max;
+using similitude::pow;
 using similitude::quantity;
+using similitude::select;
+using similitude::sqrt;
 
 enum class Transfer { gunn, ranz_marshall };
 

@@ -8,6 +8,10 @@ using oxygen_carrier::Carrier;
 using oxygen_carrier::Gas;
 using similitude::Asked;
 using similitude::ScalarParticle;
+using similitude::cbrt;
+using similitude::max;
+using similitude::min;
+using similitude::pow;
 using similitude::quantity;
 
 /// Reduction or oxidation of a metal-oxide oxygen carrier, grains of a shrinking core, one temperature everywhere.
