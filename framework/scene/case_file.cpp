@@ -8,6 +8,7 @@
 #include "scene/messages.h"
 #include "scene/model_reader.h"
 #include "scene/pair_reader.h"
+#include "scene/quantities.h"
 #include "scene/resolved.h"
 #include "scene/scene_reader.h"
 #include "scene/section.h"
@@ -103,6 +104,7 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   Document document(case_file);
   for (const std::string& assignment : overrides) document.set(assignment);
   check_version(document);
+  const QuantityValues quantities = take_quantities(document, catalogue);
   const Section root(&document.root(), "", case_keys(), document.root().mark);
 
   CaseFile result;
@@ -112,7 +114,9 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   scene.title = root.given("title") ? root.text("title") : scene.name;
   result.plugin_paths = plugin_paths(document, folder_of(case_file));
   read_scene(root.section("scene"), scene);
+  set_quantities(quantities, scene);
   read_models(root.section("models"), catalogue, document, scene, result.warnings);
+  check_quantities(scene, catalogue);
   read_coupling(root.section("coupling"), scene);
   read_time(root.section("time"), scene);
   read_output(root.section("output"), scene);
