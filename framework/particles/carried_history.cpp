@@ -34,7 +34,7 @@ void CarriedHistory::collect(const ContactLists& lists, const std::vector<std::u
     for (const BrickLists& brick : lists.bricks) {
       for (const Piece* piece : {&brick.inside, &brick.across, &brick.surfaces}) {
         for (std::uint32_t k = piece->begin; k < piece->end; ++k) {
-          if (!lists.touching[k]) continue;
+          if (!lists.touches(k)) continue;
           const Moved now = moved(lists.candidates[k], piece == &brick.surfaces);
           if (now.owner != k_gone) visit(k, now);
         }

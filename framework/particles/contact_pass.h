@@ -20,6 +20,9 @@ namespace similitude {
 /// Rows of a block: its columns fit the first-level cache beside the rows they come from.
 constexpr std::uint32_t k_block_rows = 128;
 
+/// Candidates that are looked at before those of them that touch are handed to the law.
+constexpr std::uint32_t k_window = 512;
+
 /// One block's columns, a thread's own. Columns that a law does not need stay untouched.
 struct alignas(64) BlockColumns {
   using Numbers = double[k_block_rows];
@@ -28,6 +31,7 @@ struct alignas(64) BlockColumns {
   alignas(64) Numbers law_overlap, law_force[3];   // only where effects have a contact pass
   // Touching candidates, filled up with copies to a whole block multiple; room for one pack more.
   std::uint32_t candidate[k_block_rows + 8];
+  std::uint32_t due[k_window + 8];                // candidates to look at
   alignas(64) std::uint32_t pair[k_block_rows];   // parameter set; of laws with several
 };
 
@@ -78,7 +82,7 @@ class ContactPass {
   template <bool Rotation, bool Across>
   void scatter(Run& run);
   template <bool Rotation, bool Periodic, bool Across>
-  std::size_t piece(const Piece& piece, Run& run);
+  std::size_t piece(const Piece& piece, double approach, Run& run);
   template <bool Rotation, bool Periodic>
   std::size_t both_pieces(Run& run);
   template <bool Rotation>
@@ -93,6 +97,11 @@ class ContactPass {
   void name_pairs(Run& run);
   void name_pairs_with_wall(Run& run);
   void call_law(Run& run);
+  template <bool Periodic>
+  void look(const std::uint32_t* candidates, float so_far);
+  template <bool Periodic>
+  void look_at_due(std::uint32_t begin, std::uint32_t end, double approach, Run& run);
+  void part(Run& run, std::uint32_t first, unsigned touching);
   void note_deepest(Run& run, std::uint32_t first, unsigned lanes);
   void forget(std::uint32_t candidate);
 

@@ -92,6 +92,9 @@ class Engine {
   /// together.
   void restore(const EngineState& state);
 
+  /// The contacts that touched in the last sub-step, in the order of the lists.
+  void touching(TouchingContacts& out) const;
+
   const EngineReport& report() const;
   std::vector<StageTime> stage_times() const;
   /// The passes of a sub-step in order, for the printed pipeline.

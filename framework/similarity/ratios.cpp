@@ -273,6 +273,8 @@ Scene<To> retyped(const Scene<From>& scene) {
   other.walls = scene.walls;
   other.gas_density = scene.gas_density;
   other.gas_viscosity = scene.gas_viscosity;
+  other.gas_values = scene.gas_values;
+  other.wall_values = scene.wall_values;
   other.particles = scene.particles;
   other.bed = scene.bed;
   other.patches = scene.patches;
@@ -332,6 +334,13 @@ ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios)
   bed.gas_density *= ratios.gas_density;
   bed.gas_viscosity *= ratios.gas_viscosity;
   for (ParticleClass& species : bed.particles) scale_particles(species, ratios);
+  const auto scale_values = [&](GivenValues& values) {
+    for (GivenValue& given : values) given.value *= ratio_of(given.scales_as, ratios);
+  };
+  scale_values(bed.gas_values);
+  scale_values(bed.wall_values);
+  for (ParticleClass& species : bed.particles) scale_values(species.values);
+  for (Patch& patch : bed.patches) scale_values(patch.values);
   scale(bed.bed.height, ratios.length);
   for (Patch& patch : bed.patches) {
     for (Interval& extent : patch.extent) scale(extent, ratios.length);

@@ -75,6 +75,38 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
+/// Gas and particle of the real bed exchange heat and mass at their own pace. Nothing is known that scales it together with
+/// the motion, so that only beds with the real gas and the real particle in it are left: the exact one, and parcels.
+void refuse_scaled_scalars(const Assembly& assembly) {
+  const similitude_ratios& r = assembly.ratios;
+  if (assembly.scalars.empty()) return;
+  for (const double ratio : {r.length, r.drag_diameter, r.particle_density, r.gas_density, r.gas_viscosity, r.velocity, r.time}) {
+    if (ratio == 1) continue;
+    const std::string id = assembly.scalars.effects.front().effect->descriptor().id;
+    throw InputError(assembly.real.models.scaling.mark, "models.scaling",
+                     assembly.real.models.scaling.id + " changes the gas, lengths or times, and " + id +
+                         " does not keep pace: heat and species would be exchanged at another rate than the bed moves.",
+                     "Use exact or parcel, which leave the gas and the particle in it as they are, or leave " + id +
+                         " out of models.effects.");
+  }
+}
+
+/// The solver must do what effects ask of it.
+void check_gas_for_effects(const Assembly& assembly) {
+  const std::string fluid = assembly.fluid.descriptor().id;
+  if (assembly.coupled() && !assembly.scalars.gas.empty() && assembly.fluid_needs.gives_flux == 0) {
+    throw InputError(assembly.real.models.fluid.mark, "models.fluid",
+                     fluid + " does not tell the flux of the gas, which carries its " + assembly.scalars.gas.front().name + ".",
+                     "Use vans or porous.");
+  }
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().cells == nullptr || assembly.fluid_needs.takes_added_viscosity != 0) continue;
+    throw InputError(assembly.real.models.fluid.mark, "models.fluid",
+                     fluid + " has no viscosity that " + effect.descriptor().id + " could add to.",
+                     "Use vans, or leave " + std::string(effect.descriptor().id) + " out of models.effects.");
+  }
+}
+
 }  // namespace
 
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
@@ -109,6 +141,9 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
+  assembly.scalars = plan_scalars(assembly.model, assembly.effects);
+  refuse_scaled_scalars(assembly);
+  check_gas_for_effects(assembly);
   return assembly;
 }
 

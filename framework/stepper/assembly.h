@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/exchange_coefficient.h"
+#include "coupling/scalar_plan.h"
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
 #include "output/map_back.h"
@@ -27,6 +28,7 @@ struct Assembly {
   std::vector<EffectModel> effects;      // in the order of the case
   unsigned effect_reads = 0;             // SIMILITUDE_READS_... of all effects together
   unsigned effect_adds = 0;              // SIMILITUDE_ADDS_...
+  ScalarPlan scalars;                    // what the effects carry
   similitude_contact_needs contact_needs{};
   similitude_fluid_needs fluid_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest

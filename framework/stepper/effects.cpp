@@ -40,13 +40,39 @@ std::vector<similitude_value> values_of(const ModelChoice& choice) {
   return values;
 }
 
-similitude_relevance relevance_of(const EffectModel& model, const similitude_bed& bed, const similitude_occurred* occurred) {
-  const std::vector<double> not_given(model.functions().quantity_count, k_unknown);
+/// What the case gives of an effect's own quantities, by quantity, and of the inlet that differs most.
+struct GivenOf {
+  std::vector<double> value, inflow;
+
+  GivenOf(const EffectModel& model, const RealScene& scene)
+      : value(model.functions().quantity_count, k_unknown), inflow(model.functions().quantity_count, k_unknown) {
+    for (std::size_t q = 0; q < value.size(); ++q) {
+      const similitude_quantity& quantity = model.functions().quantities[q];
+      const bool of_particles = quantity.kind == SIMILITUDE_PARTICLE_SCALAR || quantity.kind == SIMILITUDE_PARTICLE_PROPERTY;
+      if (of_particles) {
+        if (!scene.particles.empty()) value[q] = value_of(scene.particles.front().values, quantity.name);
+      } else {
+        value[q] = value_of(quantity.kind == SIMILITUDE_WALL_PROPERTY ? scene.wall_values : scene.gas_values, quantity.name);
+      }
+      if (std::isnan(value[q])) value[q] = quantity.default_value;
+      if (quantity.kind != SIMILITUDE_GAS_SCALAR) continue;
+      for (const Patch& patch : scene.patches) {
+        const double flows_in = value_of(patch.values, quantity.name);
+        if (patch.kind != PatchKind::velocity || std::isnan(flows_in)) continue;
+        if (std::isnan(inflow[q]) || std::abs(flows_in - value[q]) > std::abs(inflow[q] - value[q])) inflow[q] = flows_in;
+      }
+    }
+  }
+};
+
+similitude_relevance relevance_of(const EffectModel& model, const RealScene& scene, const similitude_bed& bed,
+                                  const similitude_occurred* occurred) {
+  const GivenOf given(model, scene);
   const similitude_evidence evidence{.struct_size = sizeof evidence,
                                      .reserved = 0,
                                      .bed = &bed,
-                                     .value = not_given.data(),
-                                     .inflow_value = not_given.data(),
+                                     .value = given.value.data(),
+                                     .inflow_value = given.inflow.data(),
                                      .occurred = occurred};
   similitude_relevance relevance{};
   relevance.struct_size = sizeof relevance;
@@ -152,7 +178,7 @@ std::vector<EffectVerdict> judge_effects(const RealScene& scene, const Catalogue
     verdict.id = id;
     try {
       const EffectModel model = create_model<similitude_effect_functions>(entry, bed, values_of(choice));
-      const similitude_relevance relevance = relevance_of(model, bed, occurred);
+      const similitude_relevance relevance = relevance_of(model, scene, bed, occurred);
       verdict.group = text_of(relevance.group);
       verdict.source = text_of(relevance.source);
       verdict.value = relevance.value;

@@ -112,6 +112,10 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
   }
   if (assembly.fluid.functions().largest_stable_step != nullptr) {
     const double stable = assembly.fluid.functions().largest_stable_step(assembly.fluid.instance(), &assembly.grid->table());
+    if (std::isnan(stable)) {
+      throw PluginError("fluid model \"" + std::string(assembly.fluid.descriptor().id) + "\": its largest stable step is not a number.",
+                        "This is for the plugin's author to mend. If the solver threw, its words stand above.");
+    }
     if (std::isfinite(stable) && stable > 0) {
       limits.push_back({"gas viscosity", "explicit viscous stress", StepKind::gas, stable / 2, stable, false});
     }

@@ -22,6 +22,9 @@ extern "C" {
 #define SIMILITUDE_ABI_MAJOR 0
 #define SIMILITUDE_ABI_MINOR 1
 
+/* Fingerprint of where every field lies that existed in <major>.0. layout.h computes it and compares. */
+#define SIMILITUDE_LAYOUT_HASH 0x9d1fcb2eu
+
 /* The one symbol a plugin exports, and the ELF section its tag lies in. */
 #define SIMILITUDE_ENTRY_SYMBOL "similitude_plugin"
 #define SIMILITUDE_TAG_SECTION ".similitude_tag"
@@ -391,7 +394,8 @@ enum {
 enum {
   SIMILITUDE_ADDS_ADDED_MASS = 1,          /* of the particle pass */
   SIMILITUDE_ADDS_COUPLE = 2,              /* of the contact pass */
-  SIMILITUDE_ADDS_FLOW = 4                 /* of particle scalars, of the contact pass */
+  SIMILITUDE_ADDS_FLOW = 4,                /* of particle scalars, of the contact pass */
+  SIMILITUDE_ADDS_FLOW_ALONE = 8           /* with it: the contact pass adds no force and is not called for one */
 };
 
 typedef struct similitude_effect_needs {
@@ -487,7 +491,9 @@ typedef struct similitude_contact_effect_block {
   double* history[SIMILITUDE_MAX_HISTORY];   /* in and out; zero in the first step of a contact */
   double* force[3];                     /* add [N], on i; j receives the opposite */
   double* couple[3];                    /* add [N m], on i; null unless added */
-  double* const* flow;                  /* out, by quantity of particle scalars: amount per second from j into i; null unless added */
+  double* const* flow;                  /* out, by quantity of particle scalars: amount per second from j into i; null in calls for forces.
+                                           Flows are asked for in calls of their own, once per gas step with its dt, without
+                                           history, force and couple */
 } similitude_contact_effect_block;
 
 /* A block of cells. Once per gas step, before the gas. [worker] */

@@ -4,6 +4,8 @@
 ///   template <class V> Addition<V> particles(const Particle<V>&) const;    an extra force on particles [worker]
 ///   template <class V> Force<V> contact(const EffectContact<V>&) const;    an extra force or couple in contacts [worker]
 ///   template <class V> Force<V> contact(const EffectContact<V>&, History<V>&) const;   with memory
+///   template <class V> void flow(const EffectContact<V>&, V*) const;       by quantity: amount of particle scalars per second from j
+///                                                                          into i [worker]
 ///   template <class V> V added_viscosity(const GasCell<V>&) const;         [Pa s], beside the molecular one [worker]
 ///
 /// and of
@@ -24,6 +26,7 @@
 #include <similitude/contact_block.h>
 #include <similitude/pack.h>
 #include <similitude/plugin.h>
+#include <similitude/scalar_effect.h>
 
 namespace similitude {
 
@@ -77,6 +80,9 @@ struct Addition {
 template <class V>
 struct EffectContact : Contact<V> {
   Vec3<V> law_force;   // [N], on i, of the contact law alone; zero beyond the law's reach
+  // By quantity of the effect (scalar_effect.h): particle scalars and properties of both partners; of a wall the wall property
+  // of the same name, NaN where the case gives none. Zero in effects without quantities.
+  std::array<V, SIMILITUDE_MAX_QUANTITIES> value_i, value_j;
 
   /// [N], positive where the law pushes the partners apart.
   V law_normal_force() const { return dot(law_force, this->normal); }
@@ -112,9 +118,11 @@ struct EffectTable {
   static constexpr bool contacts_without_memory = requires(const Effect& e, const EffectContact<Pack>& c) { e.contact(c); };
   static constexpr bool contacts_with_memory =
       requires(const Effect& e, const EffectContact<Pack>& c, History<Pack>& h) { e.contact(c, h); };
-  static constexpr bool has_contacts = contacts_without_memory || contacts_with_memory;
+  static constexpr bool has_flow = requires(const Effect& e, const EffectContact<Pack>& c, Pack* flow) { e.flow(c, flow); };
+  static constexpr bool has_contacts = contacts_without_memory || contacts_with_memory || has_flow;
   static constexpr bool has_cells = requires(const Effect& e, const GasCell<Pack>& c) { e.added_viscosity(c); };
-  static_assert(judges || has_particles || has_contacts || has_cells, "an effect has relevance(const Evidence&) or a pass");
+  static constexpr bool has_quantities = requires { Effect::quantities; };
+  static_assert(judges || has_particles || has_contacts || has_cells || has_quantities, "an effect has relevance(const Evidence&) or a pass");
   static_assert(contacts_with_memory == has_history<Effect>, "contact(c, history) and `history` belong together");
 
   static bool keeps_history(const Effect& effect) {
@@ -154,6 +162,7 @@ struct EffectTable {
     n.struct_size = out->struct_size;
     n.reads = reads_of(effect);
     n.adds = adds_of(effect);
+    if constexpr (has_flow && !contacts_with_memory && !contacts_without_memory) n.adds |= SIMILITUDE_ADDS_FLOW_ALONE;
     if constexpr (has_history<Effect>) {
       if (keeps_history(effect)) {
         for (const HistoryValue& value : Effect::history) {
@@ -205,6 +214,12 @@ struct EffectTable {
     c.angular_velocity_i = b.angular_velocity_i[0] ? load(b.angular_velocity_i, row) : none;
     c.angular_velocity_j = b.angular_velocity_j[0] ? load(b.angular_velocity_j, row) : none;
     c.law_force = load(b.law_force, row);
+    if constexpr (has_quantities) {
+      for (std::size_t q = 0; q < std::size(Effect::quantities); ++q) {
+        c.value_i[q] = b.value_i && b.value_i[q] ? load(b.value_i[q], row) : Pack(0);
+        c.value_j[q] = b.value_j && b.value_j[q] ? load(b.value_j[q], row) : Pack(0);
+      }
+    }
     return c;
   }
 
@@ -230,7 +245,21 @@ struct EffectTable {
     guarded(status, -1, [&] {
       if constexpr (has_contacts) {
         const Effect& effect = model_of<Effect>(model);
-        if constexpr (!contacts_with_memory) {
+        if constexpr (has_flow) {
+          if (b->flow != nullptr) {
+            for (std::size_t row = 0; row < b->rows; row += Pack::size()) {
+              Pack flow[std::size(Effect::quantities)]{};
+              effect.flow(contact_row(*b, row), flow);
+              for (std::size_t q = 0; q < std::size(Effect::quantities); ++q) {
+                if (b->flow[q]) store(flow[q], b->flow[q], row);
+              }
+            }
+            return;
+          }
+        }
+        if constexpr (!contacts_with_memory && !contacts_without_memory) {
+          return;
+        } else if constexpr (!contacts_with_memory) {
           contact_rows<false>(effect, *b);
         } else if constexpr (!contacts_without_memory) {
           contact_rows<true>(effect, *b);
@@ -281,6 +310,7 @@ struct EffectTable {
       t.largest_stable_step = &largest_stable_step;
     }
     if (has_cells) t.cells = &cells;
+    if constexpr (has_quantities) ScalarHooks<Effect>::add_to(t);
     return t;
   }
 
