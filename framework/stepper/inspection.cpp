@@ -138,6 +138,35 @@ std::string written(const Assembly& assembly, const ModelChoice& set, std::size_
   return format_quantity(parameter.real, row.unit != nullptr && *row.unit != 0 ? row.unit : "1");
 }
 
+/// Fields of what effects carry, as allocated in every run that carries it.
+void add_scalar_fields(const Assembly& assembly, std::size_t particles, std::vector<FieldUse>& fields) {
+  const std::size_t cells = assembly.grid->cell_count();
+  const auto who = [&](bool gas, std::size_t slot) {
+    std::string names;
+    for (const EffectQuantities& effect : assembly.scalars.effects) {
+      for (std::size_t q = 0; q < effect.kind.size(); ++q) {
+        if (effect.slot[q] != static_cast<int>(slot) || (effect.kind[q] == SIMILITUDE_GAS_SCALAR) != gas) continue;
+        names += (names.empty() ? "effect." : ", effect.") + std::string(effect.effect->descriptor().id);
+      }
+    }
+    return names;
+  };
+  for (std::size_t s = 0; s < assembly.scalars.particles.size(); ++s) {
+    fields.push_back({"particle." + assembly.scalars.particles[s].name, sizeof(double), particles, who(false, s)});
+  }
+  for (std::size_t s = 0; s < assembly.scalars.gas.size(); ++s) {
+    fields.push_back({"cell." + assembly.scalars.gas[s].name, sizeof(double), cells, who(true, s)});
+    fields.push_back({"cell." + assembly.scalars.gas[s].name + "_exchange", 3 * sizeof(double), cells, who(true, s)});
+    fields.push_back({"particle." + assembly.scalars.gas[s].name + "_exchange", 2 * sizeof(double), particles, who(true, s)});
+  }
+  if (!assembly.scalars.gas.empty()) fields.push_back({"cell.flux", 3 * sizeof(double), cells, "what the gas carries"});
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().cells == nullptr) continue;
+    fields.push_back({"cell.added_viscosity", sizeof(double), cells, std::string("effect.") + effect.descriptor().id});
+    break;
+  }
+}
+
 }  // namespace
 
 std::int64_t expected_particles(const ModelScene& scene) {
@@ -196,6 +225,7 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
     fields.push_back({"cell.exchange", 4 * sizeof(double), cells, "implicit drag"});
     fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
   }
+  add_scalar_fields(assembly, particles, fields);
   return fields;
 }
 
