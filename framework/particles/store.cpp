@@ -35,6 +35,10 @@ void ParticleStore::reserve(std::size_t n) {
     stress_force.reserve(n);
     drag_impulse.reserve(n);
   }
+  if (fields.added_mass) {
+    added_mass.reserve(n);
+    spare_numbers_.reserve(n);
+  }
   id.reserve(n);
   spare_ids_.reserve(n);
   species.reserve(n);
@@ -55,6 +59,7 @@ std::size_t ParticleStore::add(std::uint64_t new_id, std::uint32_t new_species, 
     stress_force.push_back({});
     drag_impulse.push_back({});
   }
+  if (fields.added_mass) added_mass.push_back(0);
   id.push_back(new_id);
   species.push_back(new_species);
   return position.size() - 1;
@@ -68,12 +73,15 @@ void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
   if (fields.coupling) {
     for (Column<Row>* column : {&gas, &stress_force, &drag_impulse}) reorder_column(*column, order, spare_rows_);
   }
+  if (fields.added_mass) reorder_column(added_mass, order, spare_numbers_);
   reorder_column(id, order, spare_ids_);
   reorder_column(species, order, spare_species_);
 }
 
 void ParticleStore::copy_rows(const ParticleStore& other) {
+  const bool wants_added_mass = fields.added_mass;
   fields = other.fields;
+  fields.added_mass = wants_added_mass;
   position = other.position;
   velocity = other.velocity;
   force = other.force;
@@ -82,6 +90,7 @@ void ParticleStore::copy_rows(const ParticleStore& other) {
   gas = other.gas;
   stress_force = other.stress_force;
   drag_impulse = other.drag_impulse;
+  added_mass.assign(wants_added_mass ? other.size() : 0, 0);
   id = other.id;
   species = other.species;
 }
@@ -89,7 +98,8 @@ void ParticleStore::copy_rows(const ParticleStore& other) {
 std::size_t ParticleStore::bytes_per_particle() const {
   const std::size_t rows = size();
   std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(spare_ids_, rows) + bytes_per_row(species, rows) +
-                      bytes_per_row(spare_species_, rows) + bytes_per_row(spare_rows_, rows);
+                      bytes_per_row(spare_species_, rows) + bytes_per_row(spare_rows_, rows) +
+                      bytes_per_row(added_mass, rows) + bytes_per_row(spare_numbers_, rows);
   for (const Column<Row>* column : {&position, &velocity, &force, &angular_velocity, &torque, &gas, &stress_force,
                                     &drag_impulse}) {
     bytes += bytes_per_row(*column, rows);

@@ -50,6 +50,7 @@ struct alignas(32) Row {
 struct StoreFields {
   bool rotation = false;    // angular velocity and torque
   bool coupling = false;    // gas velocity, stress force, drag impulse
+  bool added_mass = false;  // of effects; only with coupling
 };
 
 /// Particle rows. Row numbers change when the bed is sorted; `id` never does. Pointers into columns do not outlive a sort.
@@ -65,6 +66,8 @@ struct ParticleStore {
   Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
   Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
   Column<Row> drag_impulse;       // [N s], received less what the gas was charged: see Coupling::interpolate; coupling only
+  Column<double> added_mass;      // [kg], of the gas moved along, parcel weight included; effects that add it make it anew in every
+                                  // gas step, so it is no part of a checkpoint
   Column<std::uint64_t> id;       // for ever
   Column<std::uint32_t> species;  // index into the scene's particle classes
 
@@ -74,7 +77,7 @@ struct ParticleStore {
   std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
   /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
   void reorder(const std::vector<std::uint32_t>& order);
-  /// All rows of `other`, without its working memory.
+  /// All rows of `other`, without its working memory. Added mass, if this store has it, becomes zero.
   void copy_rows(const ParticleStore& other);
   /// Bytes of one particle's rows, as allocated.
   std::size_t bytes_per_particle() const;
@@ -82,6 +85,7 @@ struct ParticleStore {
  private:
   // The sorted copy of a column is made here and swapped in, so that a sort allocates only while the bed grows.
   Column<Row> spare_rows_;
+  Column<double> spare_numbers_;
   Column<std::uint64_t> spare_ids_;
   Column<std::uint32_t> spare_species_;
 };

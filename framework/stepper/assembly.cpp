@@ -1,7 +1,9 @@
 #include "stepper/assembly.h"
 
+#include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
+#include "stepper/effects.h"
 
 namespace similitude {
 namespace {
@@ -73,40 +75,7 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
-/// An effect with all parameters at their defaults.
-ModelChoice with_defaults(const PluginEntry& effect) {
-  ModelChoice choice{.kind = "effect", .id = effect.descriptor->id, .parameters = {}, .mark = {}};
-  for (std::uint32_t i = 0; i < effect.descriptor->parameter_count; ++i) {
-    const similitude_parameter& row = effect.descriptor->parameters[i];
-    choice.parameters.push_back({.name = row.name,
-                                 .real = row.default_value,
-                                 .text = row.default_text != nullptr ? row.default_text : "",
-                                 .scales_as = row.scales_as,
-                                 .given = false});
-  }
-  return choice;
-}
-
-/// `effects: auto` becomes the list of those the real bed calls for.
-void choose_effects(RealScene& scene, const Catalogue& catalogue) {
-  if (!scene.models.effects_auto) return;
-  const similitude_bed bed = describe(scene);
-  for (const std::string& id : catalogue.ids("effect")) {
-    const PluginEntry& effect = *catalogue.find("effect", id);
-    if (relevance_of(effect, bed).verdict == 1) scene.models.effects.push_back(with_defaults(effect));
-  }
-}
-
 }  // namespace
-
-similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed) {
-  const EffectModel model = create_model<similitude_effect_functions>(effect, bed, values_of(with_defaults(effect)));
-  similitude_relevance relevance{};
-  relevance.struct_size = sizeof(relevance);
-  relevance.verdict = -1;
-  if (model.functions().relevance != nullptr) model.functions().relevance(model.instance(), &bed, &relevance);
-  return relevance;
-}
 
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
@@ -129,9 +98,12 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.drag = create<similitude_drag_functions>(catalogue, models.drag, bed, assembly.plugins);
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
   for (const ModelChoice& choice : models.effects) {
-    EffectModel effect = create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins);
-    if (effect.functions().particles != nullptr) assembly.effects.push_back(std::move(effect));
+    assembly.effects.push_back(create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins));
+    const similitude_effect_needs needs = needs_of(assembly.effects.back());
+    assembly.effect_reads |= needs.reads;
+    assembly.effect_adds |= needs.adds;
   }
+  check_partners(assembly.real, assembly.effects);
   assembly.grid = std::make_unique<Grid>(assembly.model);
 
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);

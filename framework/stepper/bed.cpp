@@ -3,7 +3,7 @@
 namespace similitude {
 
 StoreFields store_fields(const Assembly& assembly) {
-  return {.rotation = assembly.contact_needs.rotation != 0, .coupling = true};
+  return {.rotation = assembly.rotation(), .coupling = true, .added_mass = assembly.added_mass()};
 }
 
 StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,

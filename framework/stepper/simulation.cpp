@@ -1,5 +1,6 @@
 #include "stepper/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <stdexcept>
@@ -39,9 +40,14 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   assembly.fluid.functions().initialise(assembly.fluid.instance(), &assembly.grid->table(), &fields, &status);
   guards_.check_gas(gas_report_, status, 0);
 
-  for (const EffectModel& effect : assembly.effects) effects_.emplace_back(assembly.model, *assembly.grid, effect);
+  if ((assembly.effect_reads & (SIMILITUDE_READS_GAS_VORTICITY | SIMILITUDE_READS_GAS_ACCELERATION)) != 0) {
+    gas_motion_ = std::make_unique<GasMotion>(assembly.model, *assembly.grid, assembly.coupled(), assembly.effect_reads);
+  }
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().particles) effects_.emplace_back(assembly.model, *assembly.grid, effect, gas_motion_.get());
+  }
   engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
-                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
+                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity}, assembly.effects);
   accounts_ = Accounts(particles_, gas_mass());
   assemble_stages();
 }
@@ -82,8 +88,20 @@ void Simulation::assemble_stages() {
                          guards_.check_gas_fraction(smallest, cell_centre(*assembly_.grid, cell), time());
                        }});
   }
+  if (gas_motion_ && gas_motion_->acceleration()) {
+    stages_.push_back({"effects: gas before its step", [this] { gas_motion_->remember(gas_); }});
+  }
   stages_.push_back({std::string("fluid: ") + assembly_.fluid.descriptor().id, [this] { advance_gas(); }});
   stages_.push_back({"interpolate", [this, gas_dt] { coupling_->interpolate(particles_, gas_, gas_dt); }});
+  if (gas_motion_) {
+    stages_.push_back({std::string("effects: ") + (gas_motion_->vorticity() ? "vorticity" : "") +
+                           (gas_motion_->vorticity() && gas_motion_->acceleration() ? " and " : "") +
+                           (gas_motion_->acceleration() ? "acceleration" : "") + " of the gas",
+                       [this, gas_dt] { gas_motion_->update(gas_, time() + gas_dt, gas_dt); }});
+  }
+  if (particles_.fields.added_mass) {
+    stages_.push_back({"effects: no added mass yet", [this] { std::ranges::fill(particles_.added_mass, 0.0); }});
+  }
   for (EffectPass& effect : effects_) {
     stages_.push_back({std::string("effect: ") + effect.id(),
                        [this, gas_dt, &effect] { effect.apply(particles_, coupling_->fields().gas_fraction, gas_dt); }});

@@ -78,6 +78,7 @@ class Simulation {
   ParticleStore particles_;
   GasFields gas_;
   std::unique_ptr<Coupling> coupling_;
+  std::unique_ptr<GasMotion> gas_motion_;   // null: no effect reads it
   std::vector<EffectPass> effects_;
   std::unique_ptr<Engine> engine_;
   similitude_gas_report gas_report_{};
