@@ -39,14 +39,13 @@ class Columns {
   /// A column that the effect adds to; `usual` is the size of what may be there before.
   double* output(const std::string& name, double usual, bool declared = true) {
     if (!declared && !options_.undeclared_too) return nullptr;
-    GuardedColumn& column = columns_.emplace_back(name, rows_, options_.edge);
-    for (std::size_t row = 0; row < rows_; ++row) column[row] = options_.already * usual;
-    outputs_.push_back({name, declared, options_.already * usual, &column});
-    return column.data();
+    return noted(name, [&](std::size_t) { return options_.already * usual; }, declared, true);
   }
   void output(double* (&to)[3], const std::string& name, double usual, bool declared = true) {
     for (std::size_t a = 0; a < 3; ++a) to[a] = output(name + "[" + std::to_string(a) + "]", usual, declared);
   }
+  /// A column that the effect writes, and may read first.
+  double* written(const std::string& name, const std::function<double(std::size_t)>& value) { return noted(name, value, true, false); }
   /// Memory, or another column that is not added to.
   double* kept(const std::string& name, const std::function<double(std::size_t)>& value) {
     GuardedColumn& column = columns_.emplace_back(name, rows_, options_.edge);
@@ -60,8 +59,9 @@ class Columns {
       result.names.push_back(output.name);
       result.declared.push_back(output.declared);
       result.before.push_back(output.before);
+      result.adds.push_back(output.adds);
       std::vector<double>& added = result.added.emplace_back();
-      for (std::size_t row = 0; row < asked_; ++row) added.push_back((*output.column)[row] - output.before);
+      for (std::size_t row = 0; row < asked_; ++row) added.push_back((*output.column)[row] - output.before[row]);
     }
     return result;
   }
@@ -70,10 +70,17 @@ class Columns {
   static constexpr std::size_t k_most_columns = 160;
   struct Output {
     std::string name;
-    bool declared;
-    double before;
+    bool declared, adds;
+    std::vector<double> before;
     const GuardedColumn* column;   // columns_ never grows beyond what is reserved
   };
+
+  double* noted(const std::string& name, const std::function<double(std::size_t)>& value, bool declared, bool adds) {
+    double* const first = kept(name, value);
+    outputs_.push_back({name, declared, adds, {first, first + asked_}, &columns_.back()});
+    return first;
+  }
+
   std::size_t asked_, rows_;
   PassOptions options_;
   std::vector<GuardedColumn> columns_;
@@ -93,6 +100,8 @@ class Chance {
 };
 
 enum Purpose : unsigned { k_velocity, k_gas_velocity, k_fraction, k_spin, k_vorticity, k_acceleration, k_normal, k_overlap, k_spin_j, k_radius, k_law, k_strain, k_quantity };
+
+constexpr std::size_t k_walls_every = 7;   // of the contacts
 
 double sphere_mass() {
   const similitude_bed bed = trial_bed();
@@ -137,7 +146,16 @@ PassResult run_particles(const EffectModel& effect, const std::vector<std::size_
   return columns.result();
 }
 
-PassResult run_contacts(const EffectModel& effect, const std::vector<std::size_t>& situations, const PassOptions& options) {
+/// What `value_j` holds at a wall: the wall property of the same name, or not a number.
+double wall_value(const similitude_effect_functions& functions, const std::vector<double>& usual, std::size_t q) {
+  for (std::size_t w = 0; w < usual.size(); ++w)
+    if (functions.quantities[w].kind == SIMILITUDE_WALL_PROPERTY && std::strcmp(functions.quantities[w].name, functions.quantities[q].name) == 0)
+      return usual[w];
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// For forces, or for flows of scalars.
+PassResult run_contacts(const EffectModel& effect, const std::vector<std::size_t>& situations, const PassOptions& options, bool for_flows) {
   const similitude_bed bed = trial_bed();
   const similitude_effect_functions& functions = effect.functions();
   const similitude_effect_needs needs = needs_of(effect);
@@ -162,7 +180,7 @@ PassResult run_contacts(const EffectModel& effect, const std::vector<std::size_t
     return [&situations, purpose, size](std::size_t row) { return Chance(situations[row], purpose).vector(size); };
   };
   const auto radius_i = [&](std::size_t row) { return radius * (0.5 + Chance(situations[row], k_radius).share()); };
-  const auto radius_j = [&](std::size_t row) { return situations[row] % 7 == 0 ? std::numeric_limits<double>::infinity() : radius; };
+  const auto radius_j = [&](std::size_t row) { return is_wall(situations[row]) ? std::numeric_limits<double>::infinity() : radius; };
   const std::function<double(std::size_t)> radii[2] = {radius_i, radius_j};
   const Purpose spins[2] = {k_spin, k_spin_j};
   const int first = options.swapped ? 1 : 0;
@@ -183,7 +201,6 @@ PassResult run_contacts(const EffectModel& effect, const std::vector<std::size_t
   const std::vector<double> usual = quantity_values(functions);
   std::vector<const double*> value_i(usual.size(), nullptr), value_j(usual.size(), nullptr);
   std::vector<double*> flow(usual.size(), nullptr);
-  const bool flows = (needs.adds & SIMILITUDE_ADDS_FLOW) != 0;
   for (std::size_t q = 0; q < usual.size(); ++q) {
     const similitude_quantity& quantity = functions.quantities[q];
     const bool of_particles = quantity.kind == SIMILITUDE_PARTICLE_SCALAR || quantity.kind == SIMILITUDE_PARTICLE_PROPERTY;
@@ -193,21 +210,72 @@ PassResult run_contacts(const EffectModel& effect, const std::vector<std::size_t
         const bool varies = functions.quantities[q].kind == SIMILITUDE_PARTICLE_SCALAR;
         Chance chance(situations[row], k_quantity + static_cast<unsigned>(q));
         const double i = chance.any(), j = chance.any();
+        if (of_j && is_wall(situations[row])) return wall_value(functions, usual, q);
         return usual[q] * (varies ? 1 + 0.05 * (of_j ? j : i) : 1);
       };
     };
     value_i[q] = columns.input(std::string("value_i ") + quantity.name, value(options.swapped));
     value_j[q] = columns.input(std::string("value_j ") + quantity.name, value(!options.swapped));
-    if (quantity.kind == SIMILITUDE_PARTICLE_SCALAR && flows) flow[q] = columns.kept(std::string("flow ") + quantity.name, [](std::size_t) { return 0.0; });
+    if (quantity.kind == SIMILITUDE_PARTICLE_SCALAR && for_flows) flow[q] = columns.written(std::string("flow ") + quantity.name, [](std::size_t) { return 0.0; });
   }
   block.value_i = usual.empty() ? nullptr : value_i.data();
   block.value_j = usual.empty() ? nullptr : value_j.data();
-  block.flow = flows ? flow.data() : nullptr;
-  for (std::uint32_t h = 0; h < needs.history_count; ++h) block.history[h] = columns.kept("history[" + std::to_string(h) + "]", [](std::size_t) { return 0.0; });
-  columns.output(block.force, "force", 1e-3);
-  columns.output(block.couple, "couple", 1e-6, (needs.adds & SIMILITUDE_ADDS_COUPLE) != 0);
+  if (for_flows) {
+    block.flow = flow.data();
+  } else {
+    for (std::uint32_t h = 0; h < needs.history_count; ++h)
+      block.history[h] = columns.kept("history[" + std::to_string(h) + "]", [](std::size_t) { return 0.0; });
+    columns.output(block.force, "force", 1e-3);
+    columns.output(block.couple, "couple", 1e-6, (needs.adds & SIMILITUDE_ADDS_COUPLE) != 0);
+  }
   similitude_status status{};
   functions.contacts(effect.instance(), &block, &status);
+  check(status);
+  return columns.result();
+}
+
+/// Exchange of scalars with the gas, and what the particles take of it.
+PassResult run_exchange(const EffectModel& effect, const std::vector<std::size_t>& situations, const PassOptions& options) {
+  const similitude_bed bed = trial_bed();
+  const similitude_effect_functions& functions = effect.functions();
+  const std::vector<double> usual = quantity_values(functions);
+  Columns columns(situations.size(), options);
+  similitude_scalar_block block{};
+  block.struct_size = sizeof block;
+  block.rows = columns.rows();
+  block.dt = 1e-4;
+  block.diameter = columns.input("diameter", [&](std::size_t) { return bed.particle_diameter; });
+  block.mass = columns.input("mass", [&](std::size_t) { return sphere_mass(); });
+  block.gas_fraction = columns.input("gas_fraction", [&](std::size_t row) { return fraction_of(situations[row]); });
+  block.slip_speed = columns.input("slip_speed", [&](std::size_t row) { return situations[row] % 5 == 0 ? 0 : 5 * Chance(situations[row], k_velocity).share(); });
+  block.gas_density = columns.input("gas_density", [&](std::size_t) { return bed.gas_density; });
+  block.gas_viscosity = columns.input("gas_viscosity", [&](std::size_t) { return bed.gas_viscosity; });
+  std::vector<const double*> value(usual.size(), nullptr), received(usual.size(), nullptr);
+  std::vector<double*> particle(usual.size(), nullptr), coefficient(usual.size(), nullptr), level(usual.size(), nullptr);
+  for (std::size_t q = 0; q < usual.size(); ++q) {
+    const int kind = functions.quantities[q].kind;
+    const std::string name = functions.quantities[q].name;
+    const auto varied = [&, q](std::size_t row) { return usual[q] * (1 - 0.05 * Chance(situations[row], k_quantity + static_cast<unsigned>(q)).share()); };
+    if (kind == SIMILITUDE_GAS_SCALAR) {
+      value[q] = columns.input("value " + name, varied);
+      coefficient[q] = columns.written("coefficient " + name, [](std::size_t) { return 0.0; });
+      level[q] = columns.written("level " + name, [](std::size_t) { return 0.0; });
+      received[q] = columns.input("received " + name, [&, q](std::size_t) { return 1e-3 * usual[q] * sphere_mass(); });
+    } else if (kind == SIMILITUDE_PARTICLE_PROPERTY) {
+      value[q] = columns.input("value " + name, [&, q](std::size_t) { return usual[q]; });
+    } else if (kind == SIMILITUDE_PARTICLE_SCALAR) {
+      particle[q] = columns.written("particle " + name, varied);
+    }
+  }
+  block.value = value.data();
+  block.particle = particle.data();
+  block.coefficient = coefficient.data();
+  block.level = level.data();
+  block.received = received.data();
+  similitude_status status{};
+  functions.exchange(effect.instance(), &block, &status);
+  check(status);
+  if (functions.take != nullptr) functions.take(effect.instance(), &block, &status);
   check(status);
   return columns.result();
 }
@@ -231,6 +299,8 @@ PassResult run_cells(const EffectModel& effect, const std::vector<std::size_t>& 
 }
 
 }  // namespace
+
+bool is_wall(std::size_t situation) { return situation % k_walls_every == 0; }
 
 /// By 0.7 about z, then a third of a turn about the diagonal.
 Vec3<double> turned(const Vec3<double>& v) {
@@ -274,9 +344,14 @@ EffectModel made_effect(const PluginEntry& plugin) {
 }
 
 std::vector<Pass> effect_passes() {
+  const auto adds = [](const EffectModel& effect, std::uint32_t what) { return (needs_of(effect).adds & what) != 0; };
+  const auto forces = [](const EffectModel& e, const std::vector<std::size_t>& rows, const PassOptions& options) { return run_contacts(e, rows, options, false); };
+  const auto flows = [](const EffectModel& e, const std::vector<std::size_t>& rows, const PassOptions& options) { return run_contacts(e, rows, options, true); };
   return {{"particle pass", [](const EffectModel& e) { return e.functions().particles != nullptr; }, run_particles, false},
-          {"contact pass", [](const EffectModel& e) { return e.functions().contacts != nullptr; }, run_contacts, true},
-          {"cell pass", [](const EffectModel& e) { return e.functions().cells != nullptr; }, run_cells, false}};
+          {"contact pass", [adds](const EffectModel& e) { return e.functions().contacts != nullptr && !adds(e, SIMILITUDE_ADDS_FLOW_ALONE); }, forces, true},
+          {"contact pass for flows", [adds](const EffectModel& e) { return e.functions().contacts != nullptr && adds(e, SIMILITUDE_ADDS_FLOW); }, flows, true},
+          {"cell pass", [](const EffectModel& e) { return e.functions().cells != nullptr; }, run_cells, false},
+          {"exchange of scalars", [](const EffectModel& e) { return e.functions().exchange != nullptr; }, run_exchange, false}};
 }
 
 }  // namespace similitude::doctor

@@ -26,10 +26,11 @@ struct PassOptions {
 
 /// What a pass left behind.
 struct PassResult {
-  std::vector<std::string> names;              // of the columns it adds to
+  std::vector<std::string> names;              // of the columns it adds to or writes
   std::vector<bool> declared;
-  std::vector<double> before;                  // what stood there
-  std::vector<std::vector<double>> added;      // by column, by row asked for: after less before
+  std::vector<bool> adds;                      // or writes, whatever stands there
+  std::vector<std::vector<double>> before;     // by column, by row asked for: what stood there
+  std::vector<std::vector<double>> added;      // after less before
 };
 
 /// One pass of one effect; `rows` are numbers of situations, always the same for a number.
@@ -41,6 +42,9 @@ struct Pass {
 };
 
 std::vector<Pass> effect_passes();
+
+/// Whether the second partner of this situation's contact is a wall.
+bool is_wall(std::size_t situation);
 
 /// The turn of PassOptions::turned: no axis stays where it was.
 Vec3<double> turned(const Vec3<double>& v);
