@@ -25,7 +25,7 @@ EffectPass::EffectPass(const ModelScene& scene, const Grid& grid, const EffectMo
     : map_(grid), effect_(effect), classes_(scene.particles), gas_density_(scene.gas_density), gas_viscosity_(scene.gas_viscosity),
       fraction_(map_.cell_count()) {
   workspaces_.resize(static_cast<std::size_t>(omp_get_max_threads()));
-  for (auto& workspace : workspaces_) workspace.resize(k_columns * k_block_rows);
+  for (auto& workspace : workspaces_) workspace = Column<double>(k_columns * k_block_rows);
 }
 
 void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double gas_dt, Column<double>& workspace,
