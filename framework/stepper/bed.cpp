@@ -7,7 +7,7 @@
 namespace similitude {
 
 StoreFields store_fields(const Assembly& assembly) {
-  return {.rotation = assembly.contact_needs.rotation != 0, .coupling = true};
+  return {.rotation = assembly.rotation(), .coupling = true, .added_mass = assembly.added_mass()};
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stepper/assembly.h"
+#include "stepper/effects.h"
 #include "stepper/time_steps.h"
 
 namespace similitude {
@@ -16,12 +17,6 @@ struct FieldUse {
   std::size_t bytes_per_item = 0;
   std::size_t items = 0;
   std::string because;
-};
-
-struct EffectVerdict {
-  std::string id, group, source, because;
-  double value = 0, threshold = 0;
-  int verdict = -1;   // 1 needed, 0 negligible, -1 cannot tell
 };
 
 /// What the contact parameters of a pair of materials are where pairs differ, as they would be written; of the real bed.
@@ -36,7 +31,9 @@ std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeStep
 std::vector<FieldUse> field_uses(const Assembly& assembly);
 /// Empty if one set of parameters holds for all contacts.
 std::vector<PairUse> pair_uses(const Assembly& assembly);
-/// Every effect in the catalogue, asked for its relevance in the real bed.
-std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue);
+/// Every effect in the catalogue, asked for its relevance in the real bed, with what it adds or would add to the run's wall time
+/// by a short calibration of its passes on this machine.
+std::vector<EffectVerdict> effect_verdicts(const RealScene& scene, const Assembly& assembly, const TimeSteps& steps,
+                                           const Catalogue& catalogue);
 
 }  // namespace similitude

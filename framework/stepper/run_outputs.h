@@ -13,6 +13,7 @@
 #include "output/probes.h"
 #include "output/profiles.h"
 #include "output/run_state.h"
+#include "output/scalar_file.h"
 #include "output/vtk_writer.h"
 #include "stepper/simulation.h"
 
@@ -56,6 +57,7 @@ class RunOutputs {
  private:
   void write_frame(const Simulation& simulation);
   void write_monitors(const Simulation& simulation);
+  void write_scalars(const Simulation& simulation);
 
   RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state, std::optional<double> time);
   bool draws() const { return assembly_.model.output.vtk_every > 0; }
@@ -66,6 +68,7 @@ class RunOutputs {
   VtkWriter vtk_;
   MonitorFile monitors_;
   std::optional<ProbeFile> probes_;
+  std::optional<ScalarFile> scalars_;
   ProfileSampler profiles_;
   FrontView front_view_;
   Schedule front_view_schedule_, vtk_schedule_, monitor_schedule_, profile_schedule_;
