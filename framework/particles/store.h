@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 #include <vector>
 #if defined(__linux__)
@@ -23,6 +24,7 @@ struct CacheAligned {
   template <class U>
   CacheAligned(const CacheAligned<U>&) {}
   T* allocate(std::size_t n) {
+    if (n > std::numeric_limits<std::size_t>::max() / 4 / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = n * sizeof(T);
     if (bytes < k_worth_large_pages) return static_cast<T*>(::operator new(bytes, std::align_val_t{k_cache_line}));
     const std::size_t whole = (bytes + k_large_page - 1) / k_large_page * k_large_page;
