@@ -33,7 +33,7 @@ models:
   fluid: vans
   effects: []
 time: {{end: 1 s, dt: 2e-5 s, gas_dt: {GAS_DT} s}}
-output: {{checkpoint: 0 s}}
+output: {{checkpoint: none}}
 """
 
 
