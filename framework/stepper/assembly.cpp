@@ -1,5 +1,7 @@
 #include "stepper/assembly.h"
 
+#include <fmt/format.h>
+
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
 
@@ -108,6 +110,21 @@ similitude_relevance relevance_of(const PluginEntry& effect, const similitude_be
   return relevance;
 }
 
+/// The stress of the gas reaches the particles one gas step late (docs/decisions/0006): where the gas that they push aside weighs
+/// more than they do, each step throws them back farther than the one before.
+void refuse_light_particles(const Assembly& assembly) {
+  if (!assembly.coupled()) return;
+  const ModelScene& bed = assembly.model;
+  for (const ParticleClass& type : bed.particles) {
+    if (type.density >= bed.gas_density) continue;
+    throw InputError(bed.models.fluid.mark, "models.fluid",
+                     fmt::format("the simulated particles {}, of {:.4g} kg/m^3, are lighter than the gas of {:.4g} kg/m^3: its resistance "
+                                 "to being pushed aside, known one gas step late, would throw them about.",
+                                 type.name, type.density, bed.gas_density),
+                     "Use particles heavier than the gas, or fluid: prescribed, which feels nothing of them.");
+  }
+}
+
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
   assembly.real = scene;
@@ -137,6 +154,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
+  refuse_light_particles(assembly);
   return assembly;
 }
 
