@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/new_plugin.h"
+#include "doctor/examination.h"
 #include "loader/describe.h"
 
 namespace similitude::app {
@@ -39,6 +41,40 @@ void add_page(CLI::App& plugins, Action& action, const std::string& name, const 
   command->callback([arguments, page, &action] { action = [arguments, page] { return page(*arguments); }; });
 }
 
+void add_new(CLI::App& plugins, Action& action) {
+  struct Arguments {
+    std::string kind, id, parent = ".";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = plugins.add_subcommand("new", "Write a working project for a plugin of your own.");
+  command->add_option("KIND", arguments->kind, "drag, contact, fluid, scaling or effect")->required();
+  command->add_option("ID", arguments->id, "its id for ever: my_law, or org.example.my_law")->required();
+  command->add_option("-o,--output", arguments->parent, "folder that the project's folder is made in; here if left out");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return say(write_new_plugin(arguments->kind, arguments->id, arguments->parent)); }; });
+}
+
+constexpr int k_not_healthy = 3;   // as any plugin that is refused
+
+void add_doctor(CLI::App& plugins, Action& action) {
+  auto file = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = plugins.add_subcommand("doctor", "Examine a plugin's file and what its models do, each check in a process of its own.");
+  command->add_option("FILE", *file, "the library, e.g. build/drag_my_law.so")->required();
+  command->add_flag("--json", *json, "for other programs");
+  command->callback([file, json, &action] {
+    action = [file, json] {
+      const doctor::Examination examination = doctor::examine(*file);
+      if (*json) {
+        say(doctor::examination_json(examination));
+      } else {
+        say(doctor::examination_text(examination));
+      }
+      return examination.healthy() ? 0 : k_not_healthy;
+    };
+  });
+}
+
 }  // namespace
 
 void add_plugins(CLI::App& app, Action& action) {
@@ -58,6 +94,8 @@ void add_plugins(CLI::App& app, Action& action) {
              const Catalogue known = catalogue_of(arguments);
              return arguments.json ? say(failures_json(known)) : say(failures_text(known));
            });
+  add_new(*plugins, action);
+  add_doctor(*plugins, action);
 }
 
 }  // namespace similitude::app

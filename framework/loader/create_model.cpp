@@ -46,6 +46,22 @@ std::vector<similitude_value> without_gaps(const similitude_descriptor& model, s
   return values;
 }
 
+/// A plugin of the C boundary must not throw; one that does is refused instead of taken for a fault of this program.
+void* create_instance(const similitude_descriptor& model, const similitude_bed& bed, const std::vector<similitude_value>& values,
+                      std::uint32_t sets, similitude_status& status) {
+  std::string escaped;
+  try {
+    return model.create(&k_host, &bed, values.data(), sets, &status);
+  } catch (const std::exception& error) {
+    escaped = error.what();
+  } catch (...) {
+    escaped = "no std::exception";
+  }
+  status.code = 1;
+  std::snprintf(status.text, sizeof status.text, "it let an exception out of create(), which its author must catch: %s", escaped.c_str());
+  return nullptr;
+}
+
 }  // namespace
 
 template <class Functions>
@@ -63,7 +79,7 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
   complete_bed.struct_size = sizeof complete_bed;  // whoever filled it knows this program's structure
   similitude_status status{};
   status.row = -1;
-  void* instance = descriptor.create(&k_host, &complete_bed, complete.data(), sets, &status);
+  void* instance = create_instance(descriptor, complete_bed, complete, sets, status);
   if (instance == nullptr || status.code != 0) {
     if (instance != nullptr) descriptor.destroy(instance);
     throw PluginError(
@@ -76,9 +92,7 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
 similitude_fluid_needs needs_of(const FluidModel& fluid) {
   similitude_fluid_needs needs{};
   needs.struct_size = sizeof needs;
-  const similitude_fluid_functions& table = fluid.functions();
-  const bool reaches = table.struct_size >= offsetof(similitude_fluid_functions, needs) + sizeof table.needs;
-  if (reaches && table.needs != nullptr) table.needs(fluid.instance(), &needs);
+  if (fluid.functions().needs != nullptr) fluid.functions().needs(fluid.instance(), &needs);
   return needs;
 }
 

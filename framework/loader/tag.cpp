@@ -88,9 +88,13 @@ std::optional<Refusal> check_file(const fs::path& file) {
   if (fs::is_directory(file, ignored))
     return Refusal{"it is a folder, not a library.",
                    "Move it elsewhere, or name the folder itself under plugin_paths."};
-  if (fs::is_symlink(file, ignored) && !fs::exists(file, ignored))
-    return Refusal{"it is a symbolic link to " + fs::read_symlink(file, ignored).string() + ", which is not there.",
+  std::error_code failed;
+  if (fs::is_symlink(file, ignored) && !fs::exists(file, failed)) {
+    const bool circle = failed == std::errc::too_many_symbolic_link_levels;
+    return Refusal{"it is a symbolic link to " + fs::read_symlink(file, ignored).string() +
+                       (circle ? " in a circle of links." : ", which is not there."),
                    "Point the link to the library, or remove it."};
+  }
   if (!fs::is_regular_file(file, ignored) && fs::exists(file, ignored))  // opening a pipe would wait for its writer
     return Refusal{"it is not a regular file.", "Move it elsewhere."};
   return std::nullopt;
@@ -115,12 +119,12 @@ std::variant<similitude_tag, Refusal> read_tag(const fs::path& file) {
   std::size_t size = 0;
   if (!find_section(elf.get(), SIMILITUDE_TAG_SECTION, bytes, size))
     return Refusal{"it is no plugin: it has no section " SIMILITUDE_TAG_SECTION ".", k_no_plugin_of_ours};
-  if (size < sizeof(similitude_tag))
+  if (size < k_first_size<similitude_tag>)
     return Refusal{"its tag has " + std::to_string(size) + " bytes, this program reads " +
-                       std::to_string(sizeof(similitude_tag)) + ".",
+                       std::to_string(k_first_size<similitude_tag>) + ".",
                    k_rebuild};
-  similitude_tag tag;
-  std::memcpy(&tag, bytes, sizeof tag);
+  similitude_tag tag{};
+  std::memcpy(&tag, bytes, std::min(size, sizeof tag));
   if (std::memcmp(tag.magic, SIMILITUDE_TAG_MAGIC, sizeof tag.magic) != 0)
     return Refusal{"its tag starts with \"" + text_of(tag.magic) + "\", not with \"" SIMILITUDE_TAG_MAGIC "\".",
                    k_no_plugin_of_ours};
@@ -136,7 +140,7 @@ std::optional<Refusal> check_tag(const similitude_tag& tag) {
   if (tag.abi_minor > SIMILITUDE_ABI_MINOR)
     return Refusal{"built for plugin ABI " + theirs + ", this program offers ABI " + ours + ".",
                    "Update Similitude, or build the plugin for this one.\n" + (k_rebuild + both_sides(tag))};
-  if (tag.layout_hash != abi::layout_hash() || tag.struct_size < sizeof tag)
+  if (tag.layout_hash != abi::layout_hash() || tag.struct_size < k_first_size<similitude_tag>)
     return Refusal{"built for plugin ABI " + theirs + " with another layout of its structures (" +
                        hexadecimal(tag.layout_hash) + ", this program's is " + hexadecimal(abi::layout_hash()) + ").",
                    k_rebuild + both_sides(tag)};

@@ -124,7 +124,38 @@ RowRange Bricks::cell_rows(std::uint32_t brick, std::uint32_t local) const {
   return {cell_begin_[cell], cell_begin_[cell + 1], k_no_shift, brick};
 }
 
+bool Bricks::neighbours_inside(std::uint32_t brick, std::uint32_t local, std::array<RowRange, 27>& out, std::size_t& count) const {
+  // What lies before the brick along an axis belongs to earlier bricks. Behind it there must be nothing, or the cell must not
+  // be its last.
+  std::array<std::uint32_t, 3> at{};
+  std::uint32_t place = place_[brick], inside = local;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    at[axis] = inside % brick_cells_[axis];
+    inside /= brick_cells_[axis];
+    const std::uint32_t here = place % bricks_[axis] * brick_cells_[axis] + at[axis];
+    place /= bricks_[axis];
+    if (periodic_[axis] || (at[axis] + 1 == brick_cells_[axis] && here + 1 < cells_[axis])) return false;
+  }
+  const std::uint32_t* const cell = cell_begin_.data() + static_cast<std::size_t>(brick) * cells_per_brick_ + local;
+  const std::uint32_t before = at[0] > 0 ? 1 : 0, behind = at[0] + 1 < brick_cells_[0] ? 2 : 1;
+  const std::ptrdiff_t line = brick_cells_[0], layer = line * brick_cells_[1];
+  count = 0;
+  const auto add = [&](std::ptrdiff_t to, std::uint32_t first) {
+    const RowRange range{cell[to - first], cell[to + behind], k_no_shift, brick};
+    if (range.end > range.begin) out[count++] = range;
+  };
+  add(0, 0);
+  if (at[1] + 1 < brick_cells_[1]) add(line, before);
+  if (at[2] + 1 < brick_cells_[2]) {
+    if (at[1] > 0) add(layer - line, before);
+    add(layer, before);
+    if (at[1] + 1 < brick_cells_[1]) add(layer + line, before);
+  }
+  return true;
+}
+
 std::size_t Bricks::neighbours(std::uint32_t brick, std::uint32_t local, std::array<RowRange, 27>& out) const {
+  if (std::size_t inside = 0; neighbours_inside(brick, local, out, inside)) return inside;
   // Along each axis: the cells before, here and after, as brick, cell in it, and image.
   struct Step {
     std::uint32_t brick, cell, image;

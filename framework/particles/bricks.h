@@ -55,6 +55,8 @@ class Bricks {
 
  private:
   static constexpr std::uint32_t k_empty = std::numeric_limits<std::uint32_t>::max();
+  /// The same where all of them stand in the brick itself; false where they may not.
+  bool neighbours_inside(std::uint32_t brick, std::uint32_t local, std::array<RowRange, 27>& out, std::size_t& count) const;
   std::uint32_t cell_along(std::size_t axis, double position) const;
 
   double cut_off_ = 0;

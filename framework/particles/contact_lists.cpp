@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <omp.h>
 
@@ -84,24 +85,21 @@ class ContactLists::Search {
     const double reach = centre.w + margin_;
     const pack::V4 here = pack::load(centre), packed_reach = pack::all(reach);
     std::uint32_t other = std::max(range.begin, row + 1);
-    for (; other + 4 <= range.end; other += 4) {
-      pack::V4 x = pack::load(position[other]), y = pack::load(position[other + 1]);
-      pack::V4 z = pack::load(position[other + 2]), radius = pack::load(position[other + 3]);
+    for (; other < range.end; other += 4) {
+      const std::uint32_t last = range.end - 1;   // stands in for what is missing of the last pack
+      pack::V4 x = pack::load(position[other]), y = pack::load(position[std::min(other + 1, last)]);
+      pack::V4 z = pack::load(position[std::min(other + 2, last)]), radius = pack::load(position[std::min(other + 3, last)]);
       pack::transpose(x, y, z, radius);
       x -= pack::all(here[0]);
       y -= pack::all(here[1]);
       z -= pack::all(here[2]);
       const pack::V4 limit = radius + packed_reach;
-      const unsigned near = pack::bits(x * x + y * y + z * z <= limit * limit);
+      const unsigned present = (1u << std::min(4u, range.end - other)) - 1;
+      const unsigned near = pack::bits(x * x + y * y + z * z <= limit * limit) & present;
       for (std::uint32_t lane = 0; lane < 4; ++lane) {
         found[n] = {row, other + lane};
         n += near >> lane & 1;
       }
-    }
-    for (; other < range.end; ++other) {
-      const Row& p = position[other];
-      const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - centre.z, limit = p.w + reach;
-      if (dx * dx + dy * dy + dz * dz <= limit * limit) found[n++] = {row, other};
     }
     if (!out_.near_baffles.empty()) n = drop_separated(found, n, shift);
     if (!images_empty()) std::fill(images, images + n, range.image);
@@ -148,7 +146,7 @@ void ContactLists::make_room(std::size_t wanted) {
   if (wanted <= candidates.size()) return;
   const std::size_t room = wanted + wanted / 4;
   candidates.resize(room);
-  touching.resize(room);
+  look_at.resize(room);
   history.resize(room * history_rows_);
   if (images_) image.resize(room);
 }
@@ -160,16 +158,16 @@ Piece ContactLists::place(std::size_t begin, const std::vector<Candidate>& from,
     const std::size_t k = begin + n;
     candidates[k] = from[n];
     if (images_) image[k] = images ? (*images)[n] : Bricks::k_no_shift;
-    touching[k] = 0;
+    look_at[k] = k_look_now;
     if (const Row* past = carried.find(from[n].owner, from[n].partner | partner_mark)) {
-      touching[k] = 1;
+      look_at[k] = k_touching;
       std::copy(past, past + history_rows_, history.begin() + static_cast<std::ptrdiff_t>(k * history_rows_));
     }
   }
   for (std::size_t k = begin + count; k < begin + rounded(count); ++k) {
     candidates[k] = candidates[k - 1];
     if (images_) image[k] = image[k - 1];
-    touching[k] = 0;
+    look_at[k] = std::numeric_limits<float>::infinity();
   }
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + count)};
 }
@@ -180,6 +178,7 @@ void ContactLists::settle(std::uint32_t brick, const Gathered& from, const Carri
   std::size_t begin = used_.fetch_add(room);
   if (begin + room > candidates.size()) return;   // all is built again with more room
   BrickLists& lists = bricks[brick];
+  lists.approach = {};
   lists.inside = place(begin, from.inside, from.inside_count, &from.inside_image, 0, carried);
   begin += rounded(from.inside_count);
   lists.across = place(begin, from.across, from.across_count, &from.across_image, 0, carried);
@@ -191,7 +190,12 @@ void ContactLists::build(const ParticleStore& particles, const Bricks& where, co
                          double largest_radius, const CarriedHistory& carried) {
   bricks.reserve(where.places());
   bricks.resize(where.count());
-  first_incoming.reserve(where.places() + 1);
+  constexpr std::size_t most_neighbours = 26;
+  for (std::vector<std::uint32_t>* per_brick : {&first_incoming, &first_later, &first_earlier, &last_sender_}) {
+    per_brick->reserve(where.places() + 1);
+  }
+  later.reserve(most_neighbours * where.places());
+  earlier.reserve(most_neighbours * where.places());
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
   if (gathered_.size() < threads) gathered_.resize(threads);
   for (Gathered& gathered : gathered_) {
@@ -231,31 +235,76 @@ void ContactLists::build(const ParticleStore& particles, const Bricks& where, co
 }
 
 void ContactLists::list_incoming(const Bricks& where) {
+  constexpr std::uint32_t nobody = 0xffff'ffff;
   first_incoming.assign(bricks.size() + 1, 0);
+  first_later.assign(bricks.size() + 1, 0);
+  last_sender_.assign(bricks.size(), nobody);
+  later.clear();
   slots = 0;
-  for (BrickLists& brick : bricks) {
+  std::uint32_t receiver = 0;   // partners of one row follow each other: mostly the same brick again
+  const auto receiver_of = [&](std::uint32_t row) {
+    if (row < where.first_row(receiver) || row >= where.end_row(receiver)) receiver = where.brick_of(row);
+    return receiver;
+  };
+  for (std::uint32_t sender = 0; sender < bricks.size(); ++sender) {
+    BrickLists& brick = bricks[sender];
     brick.first_slot = slots;
     slots += brick.across.end - brick.across.begin;
     for (std::uint32_t k = brick.across.begin; k < brick.across.end; ++k) {
-      ++first_incoming[where.brick_of(candidates[k].partner) + 1];
+      const std::uint32_t to = receiver_of(candidates[k].partner);
+      ++first_incoming[to + 1];
+      if (last_sender_[to] == sender) continue;
+      last_sender_[to] = sender;
+      later.push_back(to);
     }
+    first_later[sender + 1] = static_cast<std::uint32_t>(later.size());
   }
   for (std::size_t brick = 0; brick < bricks.size(); ++brick) first_incoming[brick + 1] += first_incoming[brick];
   if (incoming.size() < slots) incoming.resize(slots + slots / 4);
   for (const BrickLists& brick : bricks) {
     for (std::uint32_t k = brick.across.begin; k < brick.across.end; ++k) {
       const std::uint32_t row = candidates[k].partner;
-      incoming[first_incoming[where.brick_of(row)]++] = {row, k, brick.first_slot + (k - brick.across.begin)};
+      incoming[first_incoming[receiver_of(row)]++] = {row, k, brick.first_slot + (k - brick.across.begin)};
     }
   }
   for (std::size_t brick = bricks.size(); brick > 0; --brick) first_incoming[brick] = first_incoming[brick - 1];
   first_incoming[0] = 0;
+  list_earlier();
+}
+
+void ContactLists::list_earlier() {
+  first_earlier.assign(bricks.size() + 1, 0);
+  earlier.resize(later.size());
+  for (const std::uint32_t to : later) ++first_earlier[to + 1];
+  for (std::size_t brick = 0; brick < bricks.size(); ++brick) first_earlier[brick + 1] += first_earlier[brick];
+  for (std::uint32_t from = 0; from < bricks.size(); ++from) {
+    for (std::uint32_t n = first_later[from]; n < first_later[from + 1]; ++n) earlier[first_earlier[later[n]]++] = from;
+  }
+  for (std::size_t brick = bricks.size(); brick > 0; --brick) first_earlier[brick] = first_earlier[brick - 1];
+  first_earlier[0] = 0;
+}
+
+void ContactLists::have_moved(const std::vector<double>& moved) {
+  for (std::size_t brick = 0; brick < bricks.size(); ++brick) {
+    double partners = 0;
+    for (std::uint32_t n = first_later[brick]; n < first_later[brick + 1]; ++n) partners = std::max(partners, moved[later[n]]);
+    Approach& approach = bricks[brick].approach;
+    approach.inside += 2 * moved[brick];
+    approach.across += moved[brick] + partners;
+    approach.surfaces += moved[brick];
+    approach.unknown = false;
+  }
+}
+
+void ContactLists::were_moved_from_outside() {
+  for (BrickLists& brick : bricks) brick.approach = {.unknown = true};
 }
 
 std::size_t ContactLists::bytes() const {
-  std::size_t bytes = candidates.capacity() * sizeof(Candidate) + image.capacity() + touching.capacity() +
+  std::size_t bytes = candidates.capacity() * sizeof(Candidate) + image.capacity() + look_at.capacity() * sizeof(float) +
                       incoming.capacity() * sizeof(Incoming) + bricks.capacity() * sizeof(BrickLists) +
-                      first_incoming.capacity() * 4;
+                      4 * (first_incoming.capacity() + first_later.capacity() + later.capacity() + first_earlier.capacity() +
+                           earlier.capacity() + last_sender_.capacity());
   for (const Gathered& gathered : gathered_) {
     bytes += (gathered.inside.capacity() + gathered.across.capacity()) * (sizeof(Candidate) + (images_ ? 1 : 0)) +
              gathered.surfaces.capacity() * sizeof(Candidate);

@@ -24,11 +24,20 @@ struct Candidate {
 struct Piece {
   std::uint32_t begin = 0, end = 0;
 };
+
+/// Bounds on how much closer the two of a candidate can have come [m]. They only grow: what lies farther apart than they have
+/// grown since it was last looked at cannot touch, and is not looked at.
+struct Approach {
+  double inside = 0, across = 0, surfaces = 0;
+  bool unknown = false;           // rows were moved from outside: look at all once more
+};
+
 struct BrickLists {
   Piece inside;                   // both rows in the brick
   Piece across;                   // the partner stands in a later brick
   Piece surfaces;                 // the partner is a surface
   std::uint32_t first_slot = 0;   // of `across`, in the slots of partners' shares
+  Approach approach;              // since the lists were built
 };
 
 /// A pair of an earlier brick whose partner stands in this one.
@@ -52,11 +61,23 @@ class ContactLists {
   std::vector<BrickLists> bricks;
   Column<Candidate> candidates;
   Column<std::uint8_t> image;          // shift of the partner; periodic beds only
-  Column<std::uint8_t> touching;       // 0 or 1, after the last contact pass
+  /// The approach at which a candidate must be looked at [m]: below zero while it touches. Rounded down, as floats halve
+  /// what a pass reads.
+  Column<float> look_at;
   Column<Row> history;                 // history_rows() rows per candidate; means something only while touching
   std::vector<Incoming> incoming;      // by receiving brick, then by sending brick and list order
   std::vector<std::uint32_t> first_incoming;
   std::uint32_t slots = 0;             // of partners' shares across bricks
+  std::vector<std::uint32_t> first_later, later;       // per brick: those that hold partners of its `across`
+  std::vector<std::uint32_t> first_earlier, earlier;   // per brick: those whose `across` have partners in it
+
+  static constexpr float k_touching = -1, k_look_now = 0;
+  /// In the last contact pass.
+  bool touches(std::size_t candidate) const { return look_at[candidate] < 0; }
+  /// After a sub-step in which the rows of brick b moved by at most moved[b] [m].
+  void have_moved(const std::vector<double>& moved);
+  /// Rows may stand anywhere: every candidate is looked at in the next pass.
+  void were_moved_from_outside();
 
   std::size_t history_rows() const { return history_rows_; }
   bool has_images() const { return images_; }
@@ -79,10 +100,12 @@ class ContactLists {
   Piece place(std::size_t begin, const std::vector<Candidate>& from, std::size_t count,
               const std::vector<std::uint8_t>* images, std::uint32_t partner_mark, const CarriedHistory& carried);
   void list_incoming(const Bricks& bricks);
+  void list_earlier();
 
   std::size_t history_rows_;
   bool images_;
   std::vector<Gathered> gathered_;     // per thread
+  std::vector<std::uint32_t> last_sender_;   // per brick, while links are counted
   std::atomic<std::size_t> used_{0};
 };
 

@@ -1,6 +1,6 @@
 #include "particles/contact_pass.h"
 
-#include <cstring>
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -11,6 +11,19 @@ namespace similitude {
 
 using pack::V4;
 using pack::V4x3;
+
+namespace {
+
+/// The approach at which two that are `distance` apart and touch at `touch_distance` must be looked at again. [m] Rounded down by
+/// more than floats round the numbers it is made of; not below zero, which would say that they touch.
+template <class F>
+F next_look(F so_far, F distance, F touch_distance) {
+  constexpr float rounding = 1e-6f;
+  const F next = (so_far + (distance - touch_distance - rounding * touch_distance)) * (1 - rounding);
+  return next > 0 ? next : F{};
+}
+
+}  // namespace
 
 /// One brick's walk through its lists.
 struct ContactPass::Run {
@@ -23,13 +36,17 @@ struct ContactPass::Run {
   std::uint32_t first_slot_candidate = 0;   // the candidate that slot lists.first_slot belongs to
   std::uint32_t rows = 0;                   // touching contacts gathered
   std::uint32_t padded = 0;                 // rows with copies
+  std::uint32_t parted = 0;                 // of `rows`: what touched a sub-step ago and no longer does
 };
 
-ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
-                         const Bricks& bricks, ContactLists& lists)
-    : particles_(particles), law_(law), surfaces_(surfaces), bricks_(bricks), lists_(lists), materials_(classes + 1) {
+ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, const ContactEffects& effects, std::size_t classes,
+                         const Surfaces& surfaces, const Bricks& bricks, ContactLists& lists)
+    : particles_(particles), law_(law), effects_(effects), surfaces_(surfaces), bricks_(bricks), lists_(lists), materials_(classes + 1) {
   needs_.struct_size = sizeof(needs_);
   law.functions().needs(law.instance(), &needs_);
+  law_couple_ = needs_.couple != 0;
+  needs_.rotation = needs_.rotation || effects.rotation();
+  needs_.couple = needs_.couple || effects.couple();
   if (needs_.rotation && !particles.fields.rotation) {
     throw std::invalid_argument("the contact law needs angular velocities: make the ParticleStore with fields.rotation");
   }
@@ -117,11 +134,14 @@ void ContactPass::gather(Run& run) {
     }
     pack::transpose(x, y, z, rest);
     const V4 radius_i = pack::fourth(pi0, pi1, pi2, pi3), radius_j = pack::fourth(pj0, pj1, pj2, pj3);
-    const V4 distance = pack::square_root(x * x + y * y + z * z);
+    const V4 distance_squared = x * x + y * y + z * z;
+    const V4 distance = pack::square_root(distance_squared);
     const V4 per_distance = 1.0 / distance;
     const V4x3 normal{x * per_distance, y * per_distance, z * per_distance};
     const V4 radii = radius_i + radius_j;
     const V4 overlap = radii - distance;
+    const V4 limit = radii + pack::all(reach_);
+    const unsigned touching = pack::bits(distance_squared < limit * limit);
     const V4 lever_i = distance * (radius_i / radii);
     const V4 lever_j = distance - lever_i;   // their sum is the distance: angular momentum is conserved
     pack::store(out.normal[0] + first, normal.x);
@@ -168,6 +188,18 @@ void ContactPass::gather(Run& run) {
 
     const unsigned deeper = pack::bits(overlap > pack::all(run.deepest.twice_ratio) * pack::smaller(radius_i, radius_j));
     if (deeper != 0) [[unlikely]] note_deepest(run, first, deeper);
+    if (touching != 0xf) [[unlikely]] part(run, first, touching);
+  }
+}
+
+/// Contacts that parted stay in the block as what a law may meet, and what it says of them is left out.
+void ContactPass::part(Run& run, std::uint32_t first, unsigned touching) {
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if (touching >> lane & 1) continue;
+    const std::uint32_t n = first + lane;
+    run.columns.overlap[n] = -reach_;
+    lists_.look_at[run.columns.candidate[n]] = ContactLists::k_look_now;
+    run.parted += n < run.rows ? 1 : 0;
   }
 }
 
@@ -219,7 +251,7 @@ void ContactPass::call_law(Run& run) {
     block.angular_velocity_i[axis] = needs_.rotation ? c.angular_velocity_i[axis] : nullptr;
     block.angular_velocity_j[axis] = needs_.rotation ? c.angular_velocity_j[axis] : nullptr;
     block.force[axis] = c.force[axis];
-    block.couple[axis] = needs_.couple ? c.couple[axis] : nullptr;
+    block.couple[axis] = law_couple_ ? c.couple[axis] : nullptr;
   }
   block.overlap = c.overlap;
   block.radius_i = c.radius_i;
@@ -231,11 +263,14 @@ void ContactPass::call_law(Run& run) {
   status.code = 0;
   status.row = -1;
   status.text[0] = 0;
+  if (!effects_.empty() && reach_ > law_reach_) effects_.before_law(block, c, law_reach_);
   law_.functions().forces(law_.instance(), &block, &status);
+  const char* blame = nullptr;
+  if (!effects_.empty() && status.code == 0) effects_.after_law(block, c, law_reach_, status, blame);
   if (status.code != 0 && !run.complaint.raised) {
     const bool named = status.row >= 0 && static_cast<std::uint32_t>(status.row) < run.padded;
     const std::uint32_t nobody = ~0u;
-    run.complaint = {true, run.brick, named ? lists_.candidates[c.candidate[status.row]].owner : nobody, status.text};
+    run.complaint = {true, run.brick, named ? lists_.candidates[c.candidate[status.row]].owner : nobody, status.text, blame};
   }
 }
 
@@ -271,6 +306,7 @@ void ContactPass::scatter(Run& run) {
     const std::uint32_t lanes = std::min(4u, run.rows - first);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       const std::uint32_t k = in.candidate[first + lane];
+      if (!lists_.touches(k)) [[unlikely]] continue;
       const Candidate contact = lists_.candidates[k];
       pack::store(force[contact.owner], pack::load(force[contact.owner]) + push[lane]);
       if constexpr (Rotation) pack::store(torque[contact.owner], pack::load(torque[contact.owner]) + turn_i[lane]);
@@ -290,7 +326,7 @@ void ContactPass::scatter(Run& run) {
 void ContactPass::collect_shares(std::uint32_t brick) {
   for (std::uint32_t n = lists_.first_incoming[brick]; n < lists_.first_incoming[brick + 1]; ++n) {
     const Incoming& from = lists_.incoming[n];
-    if (!lists_.touching[from.candidate]) continue;
+    if (!lists_.touches(from.candidate)) continue;
     Row& force = particles_.force[from.row];
     pack::store(force, pack::load(force) + pack::load(share_force_[from.slot]));
     if (needs_.rotation) {
@@ -302,71 +338,89 @@ void ContactPass::collect_shares(std::uint32_t brick) {
 
 // ------------------------------------------------------------------------------------------------ pairs of a brick
 
-template <bool Rotation, bool Periodic, bool Across>
-std::size_t ContactPass::piece(const Piece& piece, Run& run) {
+/// Looks at four candidates that did not touch in the last sub-step; the last of them may be copies.
+template <bool Periodic>
+void ContactPass::look(const std::uint32_t* k, float so_far) {
   const Row* position = particles_.position.data();
   const Candidate* candidates = lists_.candidates.data();
-  std::uint8_t* touching = lists_.touching.data();
-  const V4 reach = pack::all(reach_);
+  const Candidate c0 = candidates[k[0]], c1 = candidates[k[1]], c2 = candidates[k[2]], c3 = candidates[k[3]];
+  const V4 pi0 = pack::load(position[c0.owner]), pj0 = pack::load(position[c0.partner]);
+  const V4 pi1 = pack::load(position[c1.owner]), pj1 = pack::load(position[c1.partner]);
+  const V4 pi2 = pack::load(position[c2.owner]), pj2 = pack::load(position[c2.partner]);
+  const V4 pi3 = pack::load(position[c3.owner]), pj3 = pack::load(position[c3.partner]);
+  V4 x = pi0 - pj0, y = pi1 - pj1, z = pi2 - pj2, w = pi3 - pj3;
+  if constexpr (Periodic) {
+    x -= pack::load(bricks_.shift(lists_.image[k[0]]));
+    y -= pack::load(bricks_.shift(lists_.image[k[1]]));
+    z -= pack::load(bricks_.shift(lists_.image[k[2]]));
+    w -= pack::load(bricks_.shift(lists_.image[k[3]]));
+  }
+  pack::transpose(x, y, z, w);
+  const V4 limit = pack::fourth(pi0, pi1, pi2, pi3) + pack::fourth(pj0, pj1, pj2, pj3) + pack::all(reach_);
+  const V4 distance_squared = x * x + y * y + z * z;
+  const unsigned touches = pack::bits(distance_squared < limit * limit);
+  const pack::F4 next = next_look(so_far + pack::F4{}, pack::rough_square_root(distance_squared), __builtin_convertvector(limit, pack::F4));
+  for (std::uint32_t lane = 0; lane < 4; ++lane) lists_.look_at[k[lane]] = next[lane];
+  if (touches == 0) [[likely]] return;
+  for (std::uint32_t lane = 0; lane < 4; ++lane) {
+    if ((touches >> lane & 1) == 0) continue;
+    lists_.look_at[k[lane]] = ContactLists::k_touching;
+    forget(k[lane]);   // a contact begins without memory
+  }
+}
+
+/// Looks at all of [begin, end) that do not touch and may by now.
+template <bool Periodic>
+void ContactPass::look_at_due(std::uint32_t begin, std::uint32_t end, double approach, Run& run) {
+  const float* look_at = lists_.look_at.data();
+  const auto so_far = static_cast<float>(approach);
+  const float limit = run.lists.approach.unknown ? std::numeric_limits<float>::max() : so_far;
+  std::uint32_t* const due = run.columns.due;
+  std::uint32_t count = 0;
+  for (std::uint32_t k = begin; k < end; k += 8) {
+    const unsigned now = pack::at_most(look_at + k, limit) & ~pack::negative(look_at + k);
+    if (now != 0) count += pack::keep_lanes(due + count, k, now);
+  }
+  for (std::uint32_t copy = count; copy % 4 != 0; ++copy) due[copy] = due[count - 1];
+  for (std::uint32_t n = 0; n < count; n += 4) look<Periodic>(due + n, so_far);
+}
+
+template <bool Rotation, bool Periodic, bool Across>
+std::size_t ContactPass::piece(const Piece& piece, double approach, Run& run) {
+  const Candidate* candidates = lists_.candidates.data();
+  const float* look_at = lists_.look_at.data();
   run.first_slot_candidate = piece.begin;
   std::size_t contacts = 0;
 
   const auto finish_block = [&] {
     if (run.rows == 0) return;
-    contacts += run.rows;
     fill_up(run);
     gather<Rotation, Periodic>(run);
+    contacts += run.rows - run.parted;
     if (!pair_of_.empty()) name_pairs(run);
     call_law(run);
     scatter<Rotation, Across>(run);
-    run.rows = 0;
+    run.rows = run.parted = 0;
   };
 
-  for (std::uint32_t k = piece.begin; k < piece.end; k += 4) {
-    V4 x = pack::load(position[candidates[k].owner]) - pack::load(position[candidates[k].partner]);
-    V4 y = pack::load(position[candidates[k + 1].owner]) - pack::load(position[candidates[k + 1].partner]);
-    V4 z = pack::load(position[candidates[k + 2].owner]) - pack::load(position[candidates[k + 2].partner]);
-    V4 w = pack::load(position[candidates[k + 3].owner]) - pack::load(position[candidates[k + 3].partner]);
-    if constexpr (Periodic) {
-      x -= pack::load(bricks_.shift(lists_.image[k]));
-      y -= pack::load(bricks_.shift(lists_.image[k + 1]));
-      z -= pack::load(bricks_.shift(lists_.image[k + 2]));
-      w -= pack::load(bricks_.shift(lists_.image[k + 3]));
-    }
-    const V4 limit = V4{position[candidates[k].owner].w + position[candidates[k].partner].w,
-                        position[candidates[k + 1].owner].w + position[candidates[k + 1].partner].w,
-                        position[candidates[k + 2].owner].w + position[candidates[k + 2].partner].w,
-                        position[candidates[k + 3].owner].w + position[candidates[k + 3].partner].w} +
-                     reach;
-    pack::transpose(x, y, z, w);
-    unsigned now = pack::bits(x * x + y * y + z * z < limit * limit);
-    now &= (1u << std::min(4u, piece.end - k)) - 1;
-
-    // Four flags as the bytes of one number; a contact that begins starts without memory.
-    const std::uint32_t flags = (now & 1) | (now & 2) << 7 | (now & 4) << 14 | (now & 8) << 21;
-    std::uint32_t before;
-    std::memcpy(&before, touching + k, 4);
-    if ((flags & ~before) != 0) [[unlikely]] {
-      for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        if ((flags & ~before) >> 8 * lane & 1) forget(k + lane);
+  for (std::uint32_t begin = piece.begin; begin < piece.end; begin += k_window) {
+    const std::uint32_t end = std::min(begin + k_window, piece.end);
+    look_at_due<Periodic>(begin, end, approach, run);
+    for (std::uint32_t k = begin; k < end; k += 8) {
+      const unsigned touching = pack::negative(look_at + k);
+      if (touching == 0) continue;
+      const std::uint32_t kept = pack::keep_lanes(run.columns.candidate + run.rows, k, touching);
+      // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
+      for (std::uint32_t n = run.rows; n < run.rows + kept; ++n) {
+        const std::uint32_t now = run.columns.candidate[n];
+        __builtin_prefetch(lists_.history.data() + now * lists_.history_rows(), 1);
+        __builtin_prefetch(&particles_.position[candidates[now].partner]);
+        __builtin_prefetch(&particles_.velocity[candidates[now].partner]);
+        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[now].partner]);
       }
+      run.rows += kept;
+      if (run.rows > k_block_rows - 8) finish_block();
     }
-    std::memcpy(touching + k, &flags, 4);
-    // The block is gathered some hundred candidates later: time to fetch what only touching pairs need.
-    if (now != 0) {
-      const char* const memory = reinterpret_cast<const char*>(lists_.history.data() + k * lists_.history_rows());
-      __builtin_prefetch(memory, 1);
-      __builtin_prefetch(memory + 64, 1);
-      for (std::uint32_t lane = 0; lane < 4; ++lane) {
-        __builtin_prefetch(&particles_.velocity[candidates[k + lane].partner]);
-        if constexpr (Rotation) __builtin_prefetch(&particles_.angular_velocity[candidates[k + lane].partner]);
-      }
-    }
-    for (std::uint32_t lane = 0; lane < 4; ++lane) {
-      run.columns.candidate[run.rows] = k + lane;
-      run.rows += now >> lane & 1;
-    }
-    if (run.rows > k_block_rows - 4) finish_block();
   }
   finish_block();
   return contacts;
@@ -374,7 +428,9 @@ std::size_t ContactPass::piece(const Piece& piece, Run& run) {
 
 template <bool Rotation, bool Periodic>
 std::size_t ContactPass::both_pieces(Run& run) {
-  return piece<Rotation, Periodic, false>(run.lists.inside, run) + piece<Rotation, Periodic, true>(run.lists.across, run);
+  const BrickLists& lists = run.lists;
+  return piece<Rotation, Periodic, false>(lists.inside, lists.approach.inside, run) +
+         piece<Rotation, Periodic, true>(lists.across, lists.approach.across, run);
 }
 
 std::size_t ContactPass::pairs(std::uint32_t brick, double dt, BlockColumns& scratch, DeepestContact& deepest,
@@ -479,15 +535,23 @@ std::size_t ContactPass::surface_piece(Run& run, Row& push) {
     run.rows = 0;
   };
   const Piece& piece = run.lists.surfaces;
+  const Approach& approach = run.lists.approach;
+  const auto so_far = static_cast<float>(approach.surfaces);
+  const float limit = approach.unknown ? std::numeric_limits<float>::max() : so_far;
   for (std::uint32_t k = piece.begin; k < piece.end; ++k) {
+    float& look_at = lists_.look_at[k];
+    if (look_at > limit) continue;
     const Candidate& candidate = lists_.candidates[k];
     const Row& centre = particles_.position[candidate.owner];
-    const bool now = surfaces_.nearest(candidate.partner, centre, touch) && centre.w - touch.distance > -reach_;
-    if (now) {
-      if (!lists_.touching[k]) forget(k);
+    const bool faces = surfaces_.nearest(candidate.partner, centre, touch);
+    if (faces && centre.w - touch.distance > -reach_) {
+      if (!(look_at < 0)) forget(k);
       gather_surface<Rotation>(run, k, touch);
+      look_at = ContactLists::k_touching;
+    } else {
+      const double touches_at = centre.w + reach_;
+      look_at = faces ? next_look(so_far, static_cast<float>(touch.distance), static_cast<float>(touches_at)) : ContactLists::k_look_now;
     }
-    lists_.touching[k] = now ? 1 : 0;
     if (run.rows == k_block_rows) finish_block();
   }
   finish_block();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "loader/catalogue.h"
+#include "loader/contact_answers.h"
 #include "scene/material_pairs.h"
 
 namespace similitude {
@@ -21,11 +22,12 @@ struct Impact {
   double effective_mass = 0;     // [kg]
   double effective_radius = 0;   // [m]
 
+  /// As contact_answers.h, with its errors.
   double contact_time(const ContactModel& law, double speed) const {   // [s]
-    return law.functions().contact_time(law.instance(), set, effective_mass, effective_radius, speed);
+    return contact_time_of(law, {set, effective_mass, effective_radius, speed});
   }
   double largest_stable_step(const ContactModel& law, double speed) const {   // [s]
-    return law.functions().largest_stable_step(law.instance(), set, effective_mass, effective_radius, speed);
+    return largest_stable_step_of(law, {set, effective_mass, effective_radius, speed});
   }
 };
 

@@ -45,6 +45,60 @@ inline unsigned bits(Mask4 mask) {
 #endif
 }
 
+using F8 = float __attribute__((vector_size(32)));
+using StoredF8 = float __attribute__((vector_size(32), may_alias));
+using F4 = float __attribute__((vector_size(16)));
+
+/// Bit l is set where column[l] <= limit; `column` is 32-byte aligned.
+inline unsigned at_most(const float* column, float limit) {
+  const F8 values = *reinterpret_cast<const StoredF8*>(column);
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(values, _mm256_set1_ps(limit), _CMP_LE_OQ)));
+#else
+  unsigned out = 0;
+  for (unsigned lane = 0; lane < 8; ++lane) out |= (values[lane] <= limit ? 1u : 0u) << lane;
+  return out;
+#endif
+}
+
+/// Bit l is set where column[l] < 0; `column` is 32-byte aligned and holds no negative zero.
+inline unsigned negative(const float* column) {
+  const F8 values = *reinterpret_cast<const StoredF8*>(column);
+#if defined(__AVX__)
+  return static_cast<unsigned>(_mm256_movemask_ps(values));
+#else
+  unsigned out = 0;
+  for (unsigned lane = 0; lane < 8; ++lane) out |= (values[lane] < 0 ? 1u : 0u) << lane;
+  return out;
+#endif
+}
+
+/// Writes `first` + l for every bit l of eight, in order; returns how many. Eight numbers may be written.
+inline std::uint32_t keep_lanes(std::uint32_t* out, std::uint32_t first, unsigned bits) {
+#if defined(__AVX512F__) && defined(__AVX512VL__)
+  const __m256i lanes = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), lanes));
+  return static_cast<std::uint32_t>(__builtin_popcount(bits));
+#else
+  std::uint32_t kept = 0;
+  for (std::uint32_t lane = 0; lane < 8; ++lane) {
+    out[kept] = first + lane;
+    kept += bits >> lane & 1;
+  }
+  return kept;
+#endif
+}
+
+/// In single precision, to some 1e-7 of itself.
+inline F4 rough_square_root(V4 a) {
+  const F4 rough = __builtin_convertvector(a, F4);
+#if defined(__AVX__)
+  return _mm_sqrt_ps(rough);
+#else
+  return F4{std::sqrt(rough[0]), std::sqrt(rough[1]), std::sqrt(rough[2]), std::sqrt(rough[3])};
+#endif
+}
+
 /// Rows a b c d become columns x y z w, or back.
 inline void transpose(V4& a, V4& b, V4& c, V4& d) {
   const V4 ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);

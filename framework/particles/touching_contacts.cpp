@@ -31,7 +31,7 @@ void collect_touching(const ContactLists& lists, TouchingContacts& out) {
   out.partner.clear();
   out.history.clear();
   each_candidate(lists, [&](std::uint32_t place, std::uint32_t k, std::uint32_t partner) {
-    if (!lists.touching[k]) return;
+    if (!lists.touches(k)) return;
     out.place.push_back(place);
     out.owner.push_back(lists.candidates[k].owner);
     out.partner.push_back(partner);
@@ -50,7 +50,7 @@ bool give_back_touching(const TouchingContacts& contacts, ContactLists& lists) {
   each_candidate(lists, [&](std::uint32_t place, std::uint32_t k, std::uint32_t partner) {
     if (entry == contacts.place.size() || contacts.place[entry] != place) return;
     known = known && contacts.owner[entry] == lists.candidates[k].owner && contacts.partner[entry] == partner;
-    lists.touching[k] = 1;
+    lists.look_at[k] = ContactLists::k_touching;
     std::copy_n(contacts.history.begin() + first_history_row(lists, entry), lists.history_rows(),
                 lists.history.begin() + first_history_row(lists, k));
     ++entry;

@@ -87,10 +87,24 @@ ModelParameter default_of(const Row& row) {
   return {row.name, row.default_value, "", row.scales_as, false};
 }
 
+/// A unit that nobody can type makes a parameter that nobody can give; the loader does not know units.
+void check_units(const PluginEntry& plugin, const DocumentNode& id, const std::string& path) {
+  for (const Row& row : rows_of(*plugin.descriptor)) {
+    if (parse_unit(unit_of(row))) continue;
+    throw PluginError(position(id.mark, path) + plugin.descriptor->id + " declares its parameter " + row.name + " in \"" + row.unit +
+                          "\", which is no unit.",
+                      "This is for the plugin's author to mend: SI units as in a case file, \"1\" for a pure number.\n(from " +
+                          plugin.file.string() + ", version " + plugin.descriptor->version + ")");
+  }
+}
+
 const PluginEntry& find_model(const std::string& kind, const DocumentNode& id, const std::string& path,
                               const Catalogue& catalogue) {
   const PluginEntry* found = catalogue.find(kind, id.text);
-  if (found != nullptr) return *found;
+  if (found != nullptr) {
+    check_units(*found, id, path);
+    return *found;
+  }
   try {
     catalogue.throw_no_such_model(kind, id.text);
   } catch (const PluginError& error) {

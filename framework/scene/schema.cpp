@@ -46,16 +46,18 @@ Json with_doc(Json schema, std::string doc, const std::string& default_text) {
 
 Json parameter_schema(const similitude_parameter& row) {
   const std::string unit = row.unit != nullptr && *row.unit != 0 ? row.unit : "1";
-  Json schema;
+  Json schema, fallback;   // what an editor fills in
   std::string default_text;
   switch (row.type) {
     case SIMILITUDE_FLAG:
       schema = {{"type", "boolean"}};
       default_text = row.default_value != 0 ? "true" : "false";
+      fallback = row.default_value != 0;
       break;
     case SIMILITUDE_CHOICE:
       schema = {{"enum", split_choices(row.choices != nullptr ? row.choices : "")}};
       default_text = row.default_text != nullptr ? row.default_text : "";
+      fallback = default_text;
       break;
     default: {
       const bool integer = row.type == SIMILITUDE_INTEGER;
@@ -65,11 +67,18 @@ Json parameter_schema(const similitude_parameter& row) {
         if (std::isfinite(row.minimum)) number["minimum"] = row.minimum;
         if (std::isfinite(row.maximum)) number["maximum"] = row.maximum;
       }
-      if (!std::isnan(row.default_value)) default_text = format_quantity(row.default_value, unit);
+      if (std::isnan(row.default_value)) break;
+      default_text = format_quantity(row.default_value, unit);
+      fallback = integer ? Json(std::llround(row.default_value)) : unit == "1" ? Json(row.default_value) : Json(default_text);
     }
   }
+  if (row.required == 0 && !fallback.is_null()) schema["default"] = fallback;
   std::string doc = row.doc != nullptr ? row.doc : "";
   if (unit != "1") doc += " [" + unit + "]";
+  if (row.typical_minimum < row.typical_maximum)
+    doc += (doc.empty() || doc.ends_with('.') ? " Mostly " : ". Mostly ") + format_quantity(row.typical_minimum, unit) + " to " +
+           format_quantity(row.typical_maximum, unit);
+  if (doc.ends_with('.')) doc.pop_back();   // the default follows
   return with_doc(schema, doc, row.required != 0 ? "" : default_text);
 }
 
@@ -78,6 +87,12 @@ Json pair_schema(const Json& parameters) {
   const Json one{{"type", Json::array({"object", "null"})}, {"properties", parameters}, {"additionalProperties", false}};
   const Json pairs{{"type", "object"}, {"propertyNames", {{"pattern", "^[^. \\t]+-[^. \\t]+$"}}}, {"additionalProperties", one}};
   return with_doc(pairs, std::string(contact_pair_key().doc), "");
+}
+
+std::string description_of(const similitude_descriptor& model) {
+  std::string text = model.title != nullptr ? model.title : model.id;
+  if (model.reference != nullptr) text += std::string(". ") + model.reference;
+  return text;
 }
 
 /// A model of one kind: its id alone if nothing is required, or a map with its own parameters.
@@ -98,11 +113,13 @@ Json model_schema(const std::string& kind, const Catalogue& catalogue) {
     if (kind == "contact") properties[std::string(contact_pair_key().name)] = pairs;
     if (kind == "scaling") {
       const CaseKey& key = simulated_stiffness_key();
-      properties[std::string(key.name)] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
+      const std::string name(key.name);
+      if (!properties.contains(name)) properties[name] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
     }
     if (required.size() == 1) short_forms.push_back(model.id);
     Json one{{"type", "object"},
              {"title", model.title != nullptr ? model.title : model.id},
+             {"description", description_of(model)},
              {"properties", properties},
              {"additionalProperties", false}};
     if (kind == "contact") {  // a parameter may be each pair's own

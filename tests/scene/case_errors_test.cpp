@@ -36,6 +36,22 @@ TEST(CaseErrors, UnitsAreChecked) {
             "  Write it without a unit, for example 0.2.");
 }
 
+TEST(CaseErrors, AUnitThatAPluginMadeUpIsThePluginsFault) {
+  static const similitude_parameter rows[] = {testing::real("length", "furlong", "a length", 1, 0, testing::k_open)};
+  const Catalogue catalogue(std::vector<PluginEntry>{testing::model("drag", "imperial", rows)});
+  const CaseFolder folder;
+  const std::filesystem::path file = folder.write("spout.yaml", example_with("drag: syamlal_obrien", "drag: imperial"));
+  try {
+    read_case(file, catalogue);
+    FAIL() << "the case was read";
+  } catch (const PluginError& error) {
+    EXPECT_EQ(error.what(), file.string() +
+                                ":14:9: models.drag: imperial declares its parameter length in \"furlong\", which is no unit.\n"
+                                "  This is for the plugin's author to mend: SI units as in a case file, \"1\" for a pure number.\n"
+                                "  (from /plugins/drag_imperial.so, version 1.0.0)");
+  }
+}
+
 TEST(CaseErrors, NegativeSizesAreRefused) {
   EXPECT_EQ(
       complaint(example_with("diameter: 1 mm", "diameter: -1 mm")),

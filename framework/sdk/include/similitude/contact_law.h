@@ -17,7 +17,8 @@
 ///   double largest_stable_step(double effective_mass, double effective_radius, double speed) const;   [s]
 ///   double reach(double diameter) const;                [m], contacts begin at this gap; default 0
 ///
-/// Without contact_time and largest_stable_step a head-on impact is played through (impact.h).
+/// Without contact_time and largest_stable_step a head-on impact is played through (impact.h). What any of these throws
+/// ends the start of the run with its own words.
 
 #include <algorithm>
 
@@ -40,6 +41,26 @@ struct ContactTable {
 
   static bool any_remembers(const void* model) {
     return !without_memory || std::ranges::any_of(sets_of<Law>(model), [](const Law& law) { return remembers(law); });
+  }
+
+  /// What `needs` asks the laws is asked once here, where a refusal still has words.
+  static void* create(const similitude_host* host, const similitude_bed* bed, const similitude_value* values,
+                      std::uint32_t sets, similitude_status* status) noexcept {
+    void* model = create_sets<Law>(host, bed, values, sets, status);
+    if (!model) return nullptr;
+    std::int32_t row = -1;
+    similitude_status asked{};
+    guarded(&asked, row, [&] {
+      for (const Law& law : sets_of<Law>(model)) {
+        ++row;
+        rotates(law);
+        remembers(law);
+      }
+    });
+    if (asked.code == 0) return model;
+    if (status) *status = asked;
+    destroy_sets<Law>(model);
+    return nullptr;
   }
 
   static void needs(const void* model, similitude_contact_needs* out) {
@@ -75,30 +96,37 @@ struct ContactTable {
     });
   }
 
-  static double contact_time(const void* model, std::uint32_t pair, double mass, double radius, double speed) {
-    const Law& law = sets_of<Law>(model)[pair];
-    if constexpr (requires { law.contact_time(mass, radius, speed); }) {
-      return law.contact_time(mass, radius, speed);
-    } else {
-      return head_on_impact(law, mass, radius, speed).duration;
-    }
+  static double contact_time(const void* model, std::uint32_t pair, double mass, double radius, double speed) noexcept {
+    return number_or_nan<Law>(model, "contact_time", [&]() -> double {
+      const Law& law = sets_of<Law>(model)[pair];
+      if constexpr (requires { law.contact_time(mass, radius, speed); }) {
+        return law.contact_time(mass, radius, speed);
+      } else {
+        return head_on_impact(law, mass, radius, speed).duration;
+      }
+    });
   }
 
-  static double largest_stable_step(const void* model, std::uint32_t pair, double mass, double radius, double speed) {
-    const Law& law = sets_of<Law>(model)[pair];
-    if constexpr (requires { law.largest_stable_step(mass, radius, speed); }) {
-      return law.largest_stable_step(mass, radius, speed);
-    } else {
-      return largest_stable_step_of(head_on_impact(law, mass, radius, speed));
-    }
+  static double largest_stable_step(const void* model, std::uint32_t pair, double mass, double radius,
+                                    double speed) noexcept {
+    return number_or_nan<Law>(model, "largest_stable_step", [&]() -> double {
+      const Law& law = sets_of<Law>(model)[pair];
+      if constexpr (requires { law.largest_stable_step(mass, radius, speed); }) {
+        return law.largest_stable_step(mass, radius, speed);
+      } else {
+        return largest_stable_step_of(head_on_impact(law, mass, radius, speed));
+      }
+    });
   }
 
-  static double reach(const void* model, double diameter) {
-    double farthest = 0;
-    if constexpr (requires(const Law& law) { law.reach(diameter); }) {
-      for (const Law& law : sets_of<Law>(model)) farthest = std::max(farthest, law.reach(diameter));
-    }
-    return farthest;
+  static double reach(const void* model, double diameter) noexcept {
+    return number_or_nan<Law>(model, "reach", [&]() -> double {
+      double farthest = 0;
+      if constexpr (requires(const Law& law) { law.reach(diameter); }) {
+        for (const Law& law : sets_of<Law>(model)) farthest = std::max(farthest, law.reach(diameter));
+      }
+      return farthest;
+    });
   }
 
   static constexpr similitude_contact_functions functions = {
@@ -107,7 +135,9 @@ struct ContactTable {
 
 template <class Law>
 similitude_descriptor contact_law(const About& about) {
-  return describe_model<Law>("contact", &ContactTable<Law>::functions, about);
+  similitude_descriptor d = describe_model<Law>("contact", &ContactTable<Law>::functions, about);
+  d.create = &ContactTable<Law>::create;
+  return d;
 }
 
 }  // namespace similitude

@@ -57,9 +57,10 @@ struct FluidTable {
     });
   }
 
-  static double largest_stable_step(const void* model, const similitude_grid* grid) {
+  static double largest_stable_step(const void* model, const similitude_grid* grid) noexcept {
     if constexpr (has_limit) {
-      return model_of<Solver>(model).largest_stable_step(*grid);
+      return number_or_nan<Solver>(model, "largest_stable_step",
+                                   [&]() -> double { return model_of<Solver>(model).largest_stable_step(*grid); });
     } else {
       return std::numeric_limits<double>::infinity();
     }

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include <similitude/abi.h>
+#include <similitude/known_here.h>
 #include <similitude/layout.h>
 #include <similitude/parameters.h>
-
-#define SIMILITUDE_EXPORT __attribute__((visibility("default")))
+#include <similitude/tag.h>
 
 namespace similitude {
 
@@ -40,10 +40,16 @@ struct About {
   const char* reference = nullptr;
 };
 
-/// A model as the host holds it: one T per parameter set.
+/// A model as the host holds it: one T per parameter set, and the host it was made by, which may be null.
+template <class T>
+struct Made {
+  std::vector<T> sets;
+  const similitude_host* host;
+};
+
 template <class T>
 const std::vector<T>& sets_of(const void* model) {
-  return *static_cast<const std::vector<T>*>(model);
+  return static_cast<const Made<T>*>(model)->sets;
 }
 
 /// The model of a kind that has one parameter set: everything but contact laws.
@@ -53,16 +59,7 @@ const T& model_of(const void* model) {
 }
 template <class T>
 T& model_of(void* model) {
-  return static_cast<std::vector<T>*>(model)->front();
-}
-
-/// A structure of the boundary as this plugin knows it: what an older host does not fill is zero.
-template <class S>
-S as_known_here(const S* given) {
-  S copy{};
-  std::memcpy(static_cast<void*>(&copy), given, std::min<std::size_t>(given->struct_size, sizeof copy));
-  copy.struct_size = sizeof copy;
-  return copy;
+  return static_cast<Made<T>*>(model)->sets.front();
 }
 
 inline void refuse(similitude_status* status, const char* why, std::int32_t row = -1) {
@@ -84,6 +81,21 @@ void guarded(similitude_status* status, const std::int32_t& row, Work&& work) no
   }
 }
 
+/// The answer of a function that has no status. What the author throws goes to the host's log under the function's name,
+/// and the answer is not a number, which the host refuses.
+template <class T, class Work>
+double number_or_nan(const void* model, const char* function, Work&& work) noexcept {
+  double answer = not_given;
+  similitude_status status{};
+  guarded(&status, -1, [&] { answer = work(); });
+  if (status.code == 0) return answer;
+  const similitude_host* host = static_cast<const Made<T>*>(model)->host;
+  char words[sizeof status.text + 64];
+  std::snprintf(words, sizeof words, "%s: %s", function, status.text);
+  if (host && host->log) host->log(1, words);
+  return not_given;
+}
+
 template <class T>
 void prepare_model(T& model, const Bed& bed) {
   if constexpr (requires { model.prepare(bed); }) {
@@ -94,15 +106,15 @@ void prepare_model(T& model, const Bed& bed) {
 }
 
 template <class T>
-void* create_sets(const similitude_host*, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
+void* create_sets(const similitude_host* host, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
                   similitude_status* status) noexcept {
   void* made = nullptr;
   std::int32_t row = -1;
   guarded(status, row, [&] {
     const Parameters<T>& parameters = parameters_of<T>();
     const Bed known = as_known_here(bed);
-    auto models = std::make_unique<std::vector<T>>(sets);
-    for (T& model : *models) {
+    auto models = std::make_unique<Made<T>>(Made<T>{std::vector<T>(sets), host});
+    for (T& model : models->sets) {
       ++row;
       parameters.read(values + static_cast<std::size_t>(row) * parameters.table().size(), model);
       prepare_model(model, known);
@@ -114,7 +126,7 @@ void* create_sets(const similitude_host*, const similitude_bed* bed, const simil
 
 template <class T>
 void destroy_sets(void* model) noexcept {
-  delete static_cast<std::vector<T>*>(model);
+  delete static_cast<Made<T>*>(model);
 }
 
 /// A descriptor of any kind. `functions` is the similitude_<kind>_functions and lives for ever.
@@ -137,32 +149,9 @@ similitude_descriptor describe_model(const char* kind, const void* functions, co
   return d;
 }
 
-/// The least level that has all vector instructions this file is compiled for.
-constexpr const char* instruction_set() {
-#if defined(__AVX512F__)
-  return "x86-64-v4";
-#elif defined(__AVX__) || defined(__AVX2__) || defined(__FMA__) || defined(__BMI__) || defined(__BMI2__)
-  return "x86-64-v3";
-#elif defined(__SSE3__) || defined(__SSSE3__) || defined(__SSE4_1__) || defined(__SSE4_2__) || defined(__POPCNT__)
-  return "x86-64-v2";
-#elif defined(__x86_64__)
-  return "x86-64";
-#elif defined(__aarch64__)
-  return "aarch64";
-#else
-  return "unknown";
-#endif
-}
-
-constexpr const char* compiler() {
-#if defined(__clang__)
-  return "clang " __clang_version__;
-#elif defined(__GNUC__)
-  return "gcc " __VERSION__;
-#else
-  return "unknown";
-#endif
-}
+/// What this file is compiled with and for.
+constexpr const char* compiler() { return SIMILITUDE_COMPILER; }
+constexpr const char* instruction_set() { return SIMILITUDE_INSTRUCTION_SET; }
 
 template <std::size_t N>
 constexpr void copy_text(const char* from, char (&to)[N]) {
