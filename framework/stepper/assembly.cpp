@@ -112,7 +112,7 @@ void check_gas_for_effects(const Assembly& assembly) {
 /// The stress of the gas reaches the particles one gas step late (docs/decisions/0008): where the gas that they push aside weighs
 /// more than they do, each step throws them back farther than the one before.
 void refuse_light_particles(const Assembly& assembly) {
-  if (!assembly.coupled()) return;
+  if (!assembly.coupled() || assembly.added_mass()) return;
   const ModelScene& bed = assembly.model;
   for (const ParticleClass& type : bed.particles) {
     if (type.density >= bed.gas_density) continue;
@@ -120,7 +120,8 @@ void refuse_light_particles(const Assembly& assembly) {
                      fmt::format("the simulated particles {}, of {:.4g} kg/m^3, are lighter than the gas of {:.4g} kg/m^3: its resistance "
                                  "to being pushed aside, known one gas step late, would throw them about.",
                                  type.name, type.density, bed.gas_density),
-                     "Use particles heavier than the gas, or fluid: prescribed, which feels nothing of them.");
+                     "Give the particles the inertia of the gas around them, models.effects: [virtual_mass], or use fluid: prescribed, which "
+                     "feels nothing of them.");
   }
 }
 

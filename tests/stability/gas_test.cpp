@@ -35,6 +35,7 @@ TEST(LightParticles, ThanTheGasAreRefused) {
   c.gas = "density: 1000 kg/m^3, viscosity: 1e-3 Pa s";
   c.particles = "foam: {diameter: 1 mm, density: 50 kg/m^3, count: 300}";
   c.bed = "fill: lattice";
+  c.effects = "[]";
   try {
     small_bed(text_of(c));
     FAIL() << "was accepted";
@@ -43,8 +44,28 @@ TEST(LightParticles, ThanTheGasAreRefused) {
     EXPECT_EQ(text.substr(text.find(".yaml:")),
               ".yaml:14:10: models.fluid: the simulated particles foam, of 50 kg/m^3, are lighter than the gas of 1000 kg/m^3: its "
               "resistance to being pushed aside, known one gas step late, would throw them about.\n"
-              "  Use particles heavier than the gas, or fluid: prescribed, which feels nothing of them.");
+              "  Give the particles the inertia of the gas around them, models.effects: [virtual_mass], or use fluid: prescribed, which "
+              "feels nothing of them.");
   }
+}
+
+// With the inertia of the liquid around it the foam rises.
+TEST(LightParticles, WithVirtualMassRise) {
+  HardCase c;
+  c.gas = "density: 1000 kg/m^3, viscosity: 1e-3 Pa s";
+  c.particles = "foam: {diameter: 1 mm, density: 50 kg/m^3, count: 300}";
+  c.contact = "{id: linear_spring, stiffness: 50 N/m, restitution: 0.8, friction: 0.3}";
+  c.bed = "fill: lattice";
+  c.patches = "";
+  c.effects = "[virtual_mass]";
+  const auto bed = small_bed(text_of(c));
+  const double before = mean_height(bed->simulation->particles());
+  Watch watch(*bed);
+  watch.until(0.1);
+  std::printf("  fastest %.3f m/s, overlap %.3g\n", watch.fastest, watch.overlap);
+  EXPECT_GT(mean_height(bed->simulation->particles()), before);
+  watch.expect_sound(0.05);
+  EXPECT_LT(watch.fastest, 0.3);   // [m/s], twice the velocity of one alone, 0.13 m/s
 }
 
 // Nearly as heavy as the liquid, and packed: the bed that comes closest to what is refused.

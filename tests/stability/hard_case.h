@@ -26,6 +26,7 @@ struct HardCase {
   std::string drag = "gidaspow";
   std::string contact = "{id: linear_spring, stiffness: 200 N/m, restitution: 0.74, friction: 0.3}";
   std::string fluid = "vans";
+  std::string effects = "auto";
   std::string smoothing;                    // a length, or nothing
   std::string time;                         // "dt: …, gas_dt: …"; nothing: auto
 };
@@ -46,10 +47,11 @@ models:
   contact: {}
   fluid: {}
   scaling: exact
+  effects: {}
 {}
 time: {{end: 1000 s{}{}}}
 )",
-                     c.size, c.cell, c.gas, c.particles, c.bed, c.patches, c.scene, c.drag, c.contact, c.fluid,
+                     c.size, c.cell, c.gas, c.particles, c.bed, c.patches, c.scene, c.drag, c.contact, c.fluid, c.effects,
                      c.smoothing.empty() ? "" : "coupling: {smoothing: " + c.smoothing + "}", c.time.empty() ? "" : ", ", c.time);
 }
 
