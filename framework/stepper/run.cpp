@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "output/audit_file.h"
 #include "output/checkpoint_file.h"
 #include "output/manifest.h"
 #include "output/progress.h"
@@ -18,6 +19,7 @@
 #include "particles/errors.h"
 #include "stepper/bed.h"
 #include "stepper/checkpoints.h"
+#include "stepper/comparison.h"
 #include "stepper/resume.h"
 #include "stepper/run_outputs.h"
 #include "stepper/simulation.h"
@@ -248,11 +250,19 @@ class CaseRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::filesystem::path folder_of(const CaseFile& case_file, const RunOptions& options) {
-  return options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
+/// Without particles under gravity there is nothing that a scaling law could keep.
+void write_audit_of(const OutputDirectory& directory, const Assembly& assembly, const Catalogue& catalogue) {
+  const similitude_bed bed = describe(assembly.real);
+  if (assembly.real.particles.empty() || !(bed.gravity > 0) || !(bed.particle_count > 0)) return;
+  const ScalingAudit audit = audit_of(assembly, catalogue, gas_fraction_at_minimum(assembly.real));
+  write_audit(directory, assembly.scaling.descriptor().id, audit.groups, audit.warnings);
 }
 
 }  // namespace
+
+std::filesystem::path results_folder(const CaseFile& case_file, const RunOptions& options) {
+  return options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
+}
 
 int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   for (const std::string& warning : case_file.warnings) warn(warning);
@@ -263,7 +273,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);
-  const std::filesystem::path folder = folder_of(case_file, options);
+  const std::filesystem::path folder = results_folder(case_file, options);
   const OutputDirectory directory =
       options.resume ? OutputDirectory::of_earlier_run(folder) : OutputDirectory(folder, options.force);
 
@@ -306,6 +316,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   out.flush();
 
   write_view_script(directory, assembly.real);
+  write_audit_of(directory, assembly, catalogue);
   Checkpoints checkpoints(directory, assembly.model.output.checkpoint_every, run, earlier ? earlier->files : std::deque<std::filesystem::path>{},
                           warn);
   CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), case_file.resolved,
