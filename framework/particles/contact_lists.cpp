@@ -190,7 +190,12 @@ void ContactLists::build(const ParticleStore& particles, const Bricks& where, co
                          double largest_radius, const CarriedHistory& carried) {
   bricks.reserve(where.places());
   bricks.resize(where.count());
-  first_incoming.reserve(where.places() + 1);
+  constexpr std::size_t most_neighbours = 26;
+  for (std::vector<std::uint32_t>* per_brick : {&first_incoming, &first_later, &first_earlier, &last_sender_}) {
+    per_brick->reserve(where.places() + 1);
+  }
+  later.reserve(most_neighbours * where.places());
+  earlier.reserve(most_neighbours * where.places());
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
   if (gathered_.size() < threads) gathered_.resize(threads);
   for (Gathered& gathered : gathered_) {

@@ -43,6 +43,11 @@ struct alignas(64) BrickOutcome {
   std::int64_t pushed_in = -1;     // sub-step in which its pairs were last pushed; shared by threads
 };
 
+/// The bricks that a thread begins with; others take from it when theirs are done.
+struct alignas(64) ThreadShare {
+  std::uint32_t next = 0, end = 0;
+};
+
 std::string at_place(double x, double y, double z) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g) m", x, y, z);
@@ -98,6 +103,7 @@ struct Engine::Parts {
   double reach_of_law() const;
   double displacement() const;
   bool lists_are_due();
+  void share_out();
   void keep_deepest();
   void keep_accounts();
   void throw_if_stopped();
@@ -123,6 +129,7 @@ struct Engine::Parts {
   std::vector<double> moved;              // [m], per brick in the last sub-step, at most
   Column<BlockColumns> columns;           // per thread
   std::vector<LawComplaint> complaints;   // per thread
+  std::vector<ThreadShare> shares;        // per thread
   std::vector<std::vector<std::uint32_t>> pushed;   // per thread: bricks that are yet to move
   std::size_t listed_rows = 0;
   bool stale = true;                      // the lists must be built before the next sub-step, whatever moved
@@ -234,6 +241,7 @@ void Engine::Parts::build_lists(std::size_t rows) {
   outcomes.reserve(bricks.places());
   outcomes.resize(bricks.count());
   moved.reserve(bricks.places());
+  for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.places());
   moved.resize(bricks.count());
   for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
   listed_rows = rows;
@@ -261,12 +269,29 @@ bool Engine::Parts::lists_are_due() {
 
 // -------------------------------------------------------------------------------------------------------- sub-steps
 
+/// Each thread gets bricks that lie together, the same ones as long as the bed stands: what a core wrote is still in its cache
+/// in the next sub-step. No sum depends on who does what.
+void Engine::Parts::share_out() {
+  constexpr std::size_t contact_price = 2;   // in rows: what a contact costs over what a row does, about
+  const auto work = [&](std::uint32_t brick) {
+    return bricks.end_row(brick) - bricks.first_row(brick) + contact_price * outcomes[brick].contacts;
+  };
+  std::size_t all = 0, given = 0;
+  for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) all += work(brick);
+  std::uint32_t brick = 0;
+  for (std::size_t thread = 0; thread < shares.size(); ++thread) {
+    shares[thread].next = brick;
+    while (brick < bricks.count() && (given + work(brick) / 2) * shares.size() < all * (thread + 1)) given += work(brick++);
+    shares[thread].end = thread + 1 < shares.size() ? brick : bricks.count();
+  }
+}
+
 void Engine::Parts::sub_step() {
   if (lists_are_due()) rebuild();
   const Motion motion{options.dt, options.gravity, options.velocity_damping};
   const bool rotation = needs.rotation != 0;
   const bool outlets = surfaces.has_outlets();
-  const std::uint32_t count = bricks.count();
+  share_out();
 #pragma omp parallel if (listed_rows >= k_rows_worth_threads)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
@@ -304,15 +329,19 @@ void Engine::Parts::sub_step() {
     };
     std::vector<std::uint32_t>& waiting = pushed[thread];
     waiting.clear();
-#pragma omp for schedule(monotonic : dynamic, 1) nowait
-    for (std::uint32_t brick = 0; brick < count; ++brick) {
-      push(brick);
-      waiting.push_back(brick);
-      std::erase_if(waiting, [&](std::uint32_t other) {
-        if (!may_move(other)) return false;
-        move(other);
-        return true;
-      });
+    for (std::size_t turn = 0; turn < shares.size(); ++turn) {   // its own share first, then what others have left
+      ThreadShare& share = shares[(thread + turn) % shares.size()];
+      for (;;) {
+        const std::uint32_t brick = std::atomic_ref(share.next).fetch_add(1, std::memory_order_relaxed);
+        if (brick >= share.end) break;
+        push(brick);
+        waiting.push_back(brick);
+        std::erase_if(waiting, [&](std::uint32_t other) {
+          if (!may_move(other)) return false;
+          move(other);
+          return true;
+        });
+      }
     }
     for (const std::uint32_t brick : waiting) {
       while (!may_move(brick)) std::this_thread::yield();   // another thread is pushing its last brick
@@ -371,9 +400,8 @@ void Engine::Parts::advance(std::int64_t sub_steps) {
     columns.resize(threads);
     complaints.resize(threads);
     pushed.resize(threads);
-  }
-  for (std::vector<std::uint32_t>& waiting : pushed) {
-    if (waiting.capacity() < bricks.places()) waiting.reserve(bricks.places());
+    for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.places());
+    shares.resize(threads);
   }
   report.largest_overlap = {};
   for (BrickOutcome& outcome : outcomes) outcome.deepest = {};

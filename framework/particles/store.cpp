@@ -1,10 +1,20 @@
 #include "particles/store.h"
 
+#include <sys/mman.h>
+
 #include <cmath>
+#include <new>
 
 namespace similitude {
 
 namespace {
+
+constexpr std::size_t k_cache_line = 64, k_large_page = std::size_t{1} << 21;   // [bytes]
+constexpr std::size_t k_worth_large_pages = k_large_page / 2;                   // [bytes]
+
+std::align_val_t alignment_of(std::size_t bytes) {
+  return std::align_val_t{bytes < k_worth_large_pages ? k_cache_line : k_large_page};
+}
 
 template <class T>
 void reorder_column(std::vector<T, CacheAligned<T>>& column, const std::vector<std::uint32_t>& order,
@@ -20,6 +30,16 @@ std::size_t bytes_per_row(const Column<T>& column, std::size_t rows) {
 }
 
 }  // namespace
+
+void* allocate_column(std::size_t bytes) {
+  if (bytes < k_worth_large_pages) return ::operator new(bytes, alignment_of(bytes));
+  const std::size_t whole = (bytes + k_large_page - 1) / k_large_page * k_large_page;
+  void* const column = ::operator new(whole, alignment_of(bytes));
+  madvise(column, whole, MADV_HUGEPAGE);  // a wish: without it all is the same but slower
+  return column;
+}
+
+void free_column(void* column, std::size_t bytes) noexcept { ::operator delete(column, alignment_of(bytes)); }
 
 void ParticleStore::reserve(std::size_t n) {
   position.reserve(n);

@@ -4,38 +4,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <string>
 #include <vector>
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 namespace similitude {
 
-/// 64-byte aligned storage, so that rows and columns meet the vector width. Large columns lie on large pages where the system
-/// has them: contacts reach from row to row, and every small page costs a look-up.
+/// Memory of a column, 64-byte aligned, so that rows and columns meet the vector width. Large columns lie on large pages where
+/// the system has them: contacts reach from row to row, and every small page costs a look-up. Throws std::bad_alloc.
+void* allocate_column(std::size_t bytes);
+void free_column(void* column, std::size_t bytes) noexcept;
+
 template <class T>
 struct CacheAligned {
   using value_type = T;
-  static constexpr std::size_t k_cache_line = 64, k_large_page = std::size_t{1} << 21, k_worth_large_pages = k_large_page / 2;
 
   CacheAligned() = default;
   template <class U>
   CacheAligned(const CacheAligned<U>&) {}
-  T* allocate(std::size_t n) {
-    const std::size_t bytes = n * sizeof(T);
-    if (bytes < k_worth_large_pages) return static_cast<T*>(::operator new(bytes, std::align_val_t{k_cache_line}));
-    const std::size_t whole = (bytes + k_large_page - 1) / k_large_page * k_large_page;
-    void* const at = ::operator new(whole, std::align_val_t{k_large_page});
-#if defined(__linux__)
-    madvise(at, whole, MADV_HUGEPAGE);   // a wish: without it all is the same but slower
-#endif
-    return static_cast<T*>(at);
-  }
-  void deallocate(T* p, std::size_t n) {
-    ::operator delete(p, std::align_val_t{n * sizeof(T) < k_worth_large_pages ? k_cache_line : k_large_page});
-  }
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_column(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) { free_column(p, n * sizeof(T)); }
   template <class U>
   bool operator==(const CacheAligned<U>&) const { return true; }
 };

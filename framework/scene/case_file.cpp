@@ -1,5 +1,7 @@
 #include "scene/case_file.h"
 
+#include <algorithm>
+
 #include "scene/case_keys.h"
 #include "scene/check.h"
 #include "scene/document.h"
@@ -85,6 +87,8 @@ void read_models(const Section& section, const Catalogue& catalogue, const Docum
   DocumentNode exact{DocumentNode::Kind::scalar, section.mark(), "exact", {}, {}};
   const DocumentNode& scaling = section.given("scaling") ? *section.node("scaling") : exact;
   models.scaling = read_model("scaling", scaling, path, catalogue, {std::string(stiffness.name)}, warnings);
+  const auto& own = models.scaling.parameters;   // a law's own parameter of that name means what the law says
+  if (std::any_of(own.begin(), own.end(), [&](const ModelParameter& p) { return p.name == stiffness.name; })) return;
   if (const DocumentNode* given = scaling.find(std::string(stiffness.name)))
     models.simulated_stiffness = read_quantity(*given, path + ".stiffness", stiffness.unit, stiffness.sign);
 }

@@ -114,7 +114,8 @@ Json model_schema(const std::string& kind, const Catalogue& catalogue) {
     if (kind == "contact") properties[std::string(contact_pair_key().name)] = pairs;
     if (kind == "scaling") {
       const CaseKey& key = simulated_stiffness_key();
-      properties[std::string(key.name)] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
+      const std::string name(key.name);
+      if (!properties.contains(name)) properties[name] = with_doc(quantity(key.unit, key.sign), std::string(key.doc), "");
     }
     if (required.size() == 1) short_forms.push_back(model.id);
     Json one{{"type", "object"},

@@ -54,15 +54,12 @@ CalibrationBed calibration_bed(const Assembly& assembly, int particles_per_edge)
   return bed;
 }
 
-double calibrated_particle_steps_per_s(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_particles_per_edge = 16;
-  constexpr int k_warm_up = 20, k_sub_steps = 100;
-  CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
-  Engine engine(bed.particles, bed.scene, assembly.contact, {.dt = steps.dt, .gravity = assembly.model.gravity}, assembly.effects);
-  engine.advance(k_warm_up);
-  const auto start = std::chrono::steady_clock::now();
-  engine.advance(k_sub_steps);
-  return static_cast<double>(bed.particles.size()) * k_sub_steps / seconds_since(start);
+/// A price needs some number where the case must give one.
+void give_typical_values(ModelChoice& effect, const similitude_descriptor& model) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const similitude_parameter& row = model.parameters[i];
+    if (row.required != 0 && std::isnan(effect.parameters[i].real)) effect.parameters[i].real = row.typical_maximum;
+  }
 }
 
 /// Wall seconds that an effect adds to the whole run: its contact pass by the difference of sub-steps with and without it, its
@@ -74,6 +71,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
   with.models.effects_auto = false;
   std::erase_if(with.models.effects, [&](const ModelChoice& effect) { return effect.id != id; });
   if (with.models.effects.empty()) with.models.effects.push_back(effect_with_defaults(*catalogue.find("effect", id)));
+  for (ModelChoice& choice : with.models.effects) give_typical_values(choice, *catalogue.find("effect", id)->descriptor);
   const Assembly assembly = assemble(with, catalogue);
   const EffectModel& effect = assembly.effects.front();
   CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
@@ -97,6 +95,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
     price += std::max(0.0, best_of(assembly.effects) - best_of({})) * scale * gas_steps * static_cast<double>(steps.sub_steps);
   }
   if (effect.functions().particles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) bed.scene.cell[axis] = bed.scene.size[axis] / 4;
     const Grid grid(bed.scene);
     std::unique_ptr<GasMotion> motion;
     if (assembly.effect_reads != 0) motion = std::make_unique<GasMotion>(bed.scene, grid, assembly.coupled(), assembly.effect_reads);
@@ -111,16 +110,6 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
     price += best * scale * gas_steps;
   }
   return price;
-}
-
-/// Seconds of one gas step with the bed's resistance left out: the gas alone, inlets at full ramp.
-double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_warm_up = 2, k_steps = 4;
-  Simulation simulation(assembly, steps, ParticleStore(store_fields(assembly)), [](const std::string&) {});
-  for (int i = 0; i < k_warm_up; ++i) simulation.step();
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < k_steps; ++i) simulation.step();
-  return seconds_since(start) / k_steps;
 }
 
 /// "effect.magnus_lift": the effects that want something, for the reason of a field.
@@ -268,18 +257,6 @@ std::vector<EffectVerdict> effect_verdicts(const RealScene& scene, const Assembl
     }
   }
   return verdicts;
-}
-
-PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
-  PredictedCost cost;
-  cost.particles = expected_particles(assembly.model);
-  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt());
-  cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);
-  if (!assembly.model.particles.empty()) cost.particle_steps_per_s = calibrated_particle_steps_per_s(assembly, steps);
-  cost.gas_step_s = calibrated_gas_step(assembly, steps);
-  cost.wall_s = gas_steps * cost.gas_step_s;
-  if (cost.particle_steps_per_s > 0) cost.wall_s += cost.particle_steps / cost.particle_steps_per_s;
-  return cost;
 }
 
 }  // namespace similitude

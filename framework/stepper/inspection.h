@@ -1,5 +1,5 @@
 #pragma once
-/// What a case will do, said before it does it: pipeline, fields with their bytes and reasons, effects, cost.
+/// What a case will do, said before it does it: pipeline, fields with their bytes and reasons, effects. What it costs: prediction.h.
 
 #include <cstdint>
 #include <string>
@@ -25,15 +25,6 @@ struct PairUse {
   std::vector<std::pair<std::string, std::string>> parameters;   // name, value
 };
 
-/// In real-bed terms, from a short calibration on this machine with the case's own models.
-struct PredictedCost {
-  std::int64_t particles = 0;
-  double particle_steps = 0;
-  double wall_s = 0;
-  double particle_steps_per_s = 0;   // of the calibration
-  double gas_step_s = 0;             // of the calibration
-};
-
 /// Simulated particles that the scene asks for; from the bed's height where it gives no count.
 std::int64_t expected_particles(const ModelScene& scene);
 std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps);
@@ -44,7 +35,5 @@ std::vector<PairUse> pair_uses(const Assembly& assembly);
 /// by a short calibration of its passes on this machine.
 std::vector<EffectVerdict> effect_verdicts(const RealScene& scene, const Assembly& assembly, const TimeSteps& steps,
                                            const Catalogue& catalogue);
-/// Runs a few hundred DEM sub-steps of a small packing and a few gas steps: about a second.
-PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps);
 
 }  // namespace similitude

@@ -1,6 +1,7 @@
 #include "stepper/run_outputs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace similitude {
@@ -25,13 +26,17 @@ bool Schedule::due(double time) {
   return true;
 }
 
-RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state)
+RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state,
+                       std::optional<double> time)
     : directory_(directory),
       assembly_(assembly),
       map_back_(map_back(assembly)),
       vtk_(directory, map_back_, class_names(assembly.real)),
       monitors_(state != nullptr ? MonitorFile(directory, state->monitors_length) : MonitorFile(directory)),
       profiles_(profile_settings(assembly.real), map_back_),
+      front_view_(directory, map_back_, assembly.real.size[0], assembly.real.size[2],
+                  time ? std::optional<double>(map_back_.time(*time)) : std::nullopt),
+      front_view_schedule_(assembly.model.time.end / k_front_view_pictures, 0),
       vtk_schedule_(assembly.model.output.vtk_every, 0),
       monitor_schedule_(assembly.model.output.monitor_every, 0),
       profile_schedule_(k_profile_interval * assembly.results.time, assembly.model.output.profiles.from) {
@@ -51,13 +56,13 @@ RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembl
   }
 }
 
-RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly) : RunOutputs(directory, assembly, nullptr) {}
+RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly) : RunOutputs(directory, assembly, nullptr, {}) {}
 
 RunOutputs::RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState& state, double time)
-    : RunOutputs(directory, assembly, &state) {
+    : RunOutputs(directory, assembly, &state, time) {
   vtk_.go_on_after(state.frames);
   profiles_.restore(state.profiles);
-  for (Schedule* schedule : {&vtk_schedule_, &monitor_schedule_, &profile_schedule_}) schedule->pass(time);
+  for (Schedule* schedule : {&front_view_schedule_, &vtk_schedule_, &monitor_schedule_, &profile_schedule_}) schedule->pass(time);
   last_frame_time_ = state.last_frame_time;
   largest_overlap_ = state.largest_overlap;
   largest_overlap_of_run_ = state.largest_overlap_of_run;
@@ -144,7 +149,28 @@ void RunOutputs::observe(const Simulation& simulation) {
     profiles_.sample(*assembly_.grid, simulation.exchange().gas_fraction, simulation.time());
   }
   if (monitor_schedule_.due(simulation.time())) write_monitors(simulation);
+  if (front_view_schedule_.due(simulation.time())) front_view_.add(simulation.particles(), simulation.time());
   if (vtk_schedule_.due(simulation.time())) write_frame(simulation);
+}
+
+double RunOutputs::seconds_to_the_end(const Simulation& simulation) {
+  const double end = assembly_.model.time.end;
+  const auto times = [&](double every, double from) { return every > 0 ? std::max(0.0, (end - from) / every) : 0.0; };
+  const auto seconds_of = [](auto&& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const Output& asked = assembly_.model.output;
+  double seconds = times(asked.monitor_every, 0) * seconds_of([&] { write_monitors(simulation); });
+  seconds += k_front_view_pictures * seconds_of([&] { front_view_.add(simulation.particles(), simulation.time()); });
+  if (asked.vtk_every > 0) seconds += times(asked.vtk_every, 0) * seconds_of([&] { write_frame(simulation); });
+  if (!asked.profiles.z.empty())
+    seconds += times(k_profile_interval * assembly_.results.time, asked.profiles.from) * seconds_of([&] {
+      profiles_.sample(simulation.particles(), simulation.time());
+      profiles_.sample(*assembly_.grid, simulation.exchange().gas_fraction, simulation.time());
+    });
+  return seconds;
 }
 
 void RunOutputs::finish(const Simulation& simulation) {

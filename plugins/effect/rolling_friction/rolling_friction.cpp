@@ -67,7 +67,8 @@ struct RollingFriction {
   Force<V> contact(const EffectContact<V>& c) const {
     const Vec3<V> spin = rolling(c);
     const V speed = magnitude(spin);
-    const V turn_back = inertia(c.effective_mass, min(c.radius_i, c.radius_j)) / c.dt;   // [N m s]
+    const V radius = min(c.radius_i, c.radius_j);
+    const V turn_back = 0.4 * c.effective_mass * (radius * radius) / c.dt;   // [N m s], solid spheres: 2/5 m r^2
     const V factor = min(largest_torque(c) / speed, turn_back);
     return {{V(0), V(0), V(0)}, select(speed > 0.0, -factor, V(0)) * spin};
   }

@@ -236,4 +236,7 @@ constexpr std::uint32_t layout_hash() {
   return print.value();
 }
 
+static_assert(layout_hash() == SIMILITUDE_LAYOUT_HASH,
+              "a field that plugins rely on has moved: append to the end of a structure, or begin a new major version");
+
 }  // namespace similitude::abi
