@@ -111,7 +111,8 @@ class Run {
   }
   similitude_gas_step step() {
     return {sizeof(similitude_gas_step), 0, time_, k_dt, gas_fraction.data(), gas_fraction_old.data(), exchange.data(),
-            exchange_velocity.data(), remainder.data(), velocity.data(), pressure.data(), stress_force.data()};
+            exchange_velocity.data(), remainder.data(), velocity.data(), pressure.data(), stress_force.data(),
+            nullptr, {nullptr, nullptr, nullptr}};   // nothing that effects ask for
   }
 
   Grid grid_;
