@@ -15,6 +15,7 @@ build_packages=(
   nlohmann-json3-dev                     # manifests, --json
   libelf-dev                             # reads a plugin's tag before it is loaded
   libhdf5-dev                            # checkpoints
+  libjs-chart.js                         # charts of reports, built into the program
 )
 
 # install_missing PACKAGE…: quiet when nothing is missing; uses sudo when not root.

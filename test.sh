@@ -14,7 +14,10 @@ test_packages=(
   python3 python3-vtk9 python3-numpy python3-matplotlib   # read results back, draw the bed
   python3-jsonschema python3-yaml                         # validate the schema of case files
 )
-ci_packages=(clang libomp-dev valgrind)   # valgrind counts instructions
+ci_packages=(
+  clang libomp-dev valgrind                        # valgrind counts instructions
+  chromium chromium-driver python3-selenium        # reports as people see them
+)
 long_packages=(paraview xvfb)
 
 # run_ctest FOLDER ARGS…: the tests of a build folder, two at a time.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -6,10 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/text_table.h"
 #include "stepper/inspection.h"
+#include "stepper/prediction.h"
 
 namespace similitude::app {
 namespace {
+
+constexpr double k_shown_share = 0.02;   // stages that cost less are not worth a line
 
 struct CheckArguments {
   std::string case_file;
@@ -64,12 +69,20 @@ nlohmann::json as_json(const Inspection& seen) {
   for (const EffectVerdict& effect : seen.effects) {
     page["effects"].push_back({{"id", effect.id},
                                {"group", effect.group},
-                               {"value", effect.value},
-                               {"threshold", effect.threshold},
+                               {"value", number_or_null(effect.value)},
+                               {"threshold", number_or_null(effect.threshold)},
                                {"verdict", verdict_word(effect.verdict)},
-                               {"because", effect.because}});
+                               {"because", effect.because},
+                               {"range", {number_or_null(effect.lowest), number_or_null(effect.highest)}},
+                               {"source", effect.source},
+                               {"chosen", effect.chosen},
+                               {"predicted_wall_s", number_or_null(effect.predicted_wall_s)}});
   }
-  page["predicted"] = {{"particle_steps", seen.cost.particle_steps}, {"wall_s", seen.cost.wall_s}};
+  page["predicted"] = {{"particle_steps", seen.cost.particle_steps},
+                       {"wall_s", number_or_null(seen.cost.wall_s)},
+                       {"stages", nlohmann::json::array()}};
+  for (const StageTime& stage : seen.cost.stages)
+    page["predicted"]["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
   return page;
 }
 
@@ -108,15 +121,22 @@ void print(const Inspection& seen, std::ostream& out) {
     out << fmt::format("{:<32}{:>12.3g}{:>12.3g} {} {}\n", limit.name, limit.advised * to_real, limit.hard * to_real,
                        limit.binding ? "*" : " ", limit.because);
   }
-  out << "\neffects\n";
+  out << fmt::format("\n{:<24}{:<14}{:<9}{:>10}  {}\n", "effect", "verdict", "in case", "price [s]", "because");
   if (seen.effects.empty()) out << "  no effect plugin is installed\n";
   for (const EffectVerdict& effect : seen.effects) {
-    out << fmt::format("  {:<24}{:<12} {}\n", effect.id, verdict_word(effect.verdict), effect.because);
+    out << fmt::format("{:<24}{:<14}{:<9}{:>10}  {}\n", effect.id, verdict_word(effect.verdict), effect.chosen ? "yes" : "no",
+                       std::isfinite(effect.predicted_wall_s) ? fmt::format("{:.2g}", effect.predicted_wall_s) : "-", effect.because);
   }
-  out << fmt::format("\npredicted: {} particles, {:.3g} particle-steps, {:.3g} s of wall time (on this machine: {:.3g} M "
-                     "particle-steps/s, {:.3g} ms per gas step)\n",
-                     seen.cost.particles, seen.cost.particle_steps, seen.cost.wall_s, 1e-6 * seen.cost.particle_steps_per_s,
-                     1e3 * seen.cost.gas_step_s);
+  out << fmt::format("\npredicted: {} particles, {:.3g} particle-steps, ", seen.cost.particles, seen.cost.particle_steps);
+  if (!seen.cost.gap.empty()) {
+    out << "no wall time, since the calibration stopped: " << seen.cost.gap << "\n";
+    return;
+  }
+  out << seconds_text(seen.cost.wall_s) << " of wall time on this machine, of which\n";
+  std::vector<StageTime> stages = seen.cost.stages;
+  std::stable_sort(stages.begin(), stages.end(), [](const StageTime& a, const StageTime& b) { return a.seconds > b.seconds; });
+  for (const StageTime& stage : stages)
+    if (stage.seconds >= k_shown_share * seen.cost.wall_s) out << fmt::format("  {:<36}{:>10}\n", stage.name, seconds_text(stage.seconds));
 }
 
 int check(const CheckArguments& arguments) {
@@ -131,7 +151,7 @@ int check(const CheckArguments& arguments) {
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);
   seen.pairs = pair_uses(seen.assembly);
-  seen.effects = effect_verdicts(seen.assembly, plugins);
+  seen.effects = effect_verdicts(case_file.scene, seen.assembly, seen.steps, plugins);
   seen.cost = predict_cost(seen.assembly, seen.steps);
   if (arguments.json) {
     std::cout << as_json(seen).dump(2) << "\n";

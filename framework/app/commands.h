@@ -18,6 +18,7 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line);
 void add_check(CLI::App& app, Action& action);
 void add_scale(CLI::App& app, Action& action);
 void add_plugins(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_study(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   similitude::app::add_check(app, action);
   similitude::app::add_scale(app, action);
   similitude::app::add_study(app, action);
+  similitude::app::add_report(app, action);
   similitude::app::add_plugins(app, action);
   similitude::app::add_schema(app, action);
   try {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/new_plugin.h"
 #include "doctor/examination.h"
 #include "loader/describe.h"
 
@@ -38,6 +39,19 @@ void add_page(CLI::App& plugins, Action& action, const std::string& name, const 
   command->add_option("--case", arguments->case_file, "also look in this case's plugin_paths");
   command->add_flag("--json", arguments->json, "for other programs");
   command->callback([arguments, page, &action] { action = [arguments, page] { return page(*arguments); }; });
+}
+
+void add_new(CLI::App& plugins, Action& action) {
+  struct Arguments {
+    std::string kind, id, parent = ".";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = plugins.add_subcommand("new", "Write a working project for a plugin of your own.");
+  command->add_option("KIND", arguments->kind, "drag, contact, fluid, scaling or effect")->required();
+  command->add_option("ID", arguments->id, "its id for ever: my_law, or org.example.my_law")->required();
+  command->add_option("-o,--output", arguments->parent, "folder that the project's folder is made in; here if left out");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return say(write_new_plugin(arguments->kind, arguments->id, arguments->parent)); }; });
 }
 
 constexpr int k_not_healthy = 3;   // as any plugin that is refused
@@ -80,6 +94,7 @@ void add_plugins(CLI::App& app, Action& action) {
              const Catalogue known = catalogue_of(arguments);
              return arguments.json ? say(failures_json(known)) : say(failures_text(known));
            });
+  add_new(*plugins, action);
   add_doctor(*plugins, action);
 }
 

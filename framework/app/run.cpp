@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/write_report_after.h"
+#include "particles/errors.h"
 #include "scene/units.h"
 #include "scene/messages.h"
 
@@ -33,7 +35,15 @@ int run(const RunArguments& arguments, const std::string& command_line) {
       throw InputError("--until: " + error.what, error.fix);
     }
   }
-  return run_case(case_file, plugins, options, std::cout);
+  const std::filesystem::path folder = results_folder(case_file, options);
+  try {
+    const int status = run_case(case_file, plugins, options, std::cout);
+    write_report_after(folder);
+    return status;
+  } catch (const SimulationError&) {  // a guard: what there is until then is worth a look
+    write_report_after(folder);
+    throw;
+  }
 }
 
 }  // namespace

@@ -160,9 +160,9 @@ void print(const Comparison& comparison, std::ostream& out) {
   }
   out << "\n";
   print_words(comparison, "", out);
-  out << fmt::format("\nWall times are for this machine: {:.3g} M particle-steps/s and {:.3g} ms per gas step, measured with the "
+  out << fmt::format("\nWall times are for this machine: {:.3g} M particle-steps/s, {:.3g} ms per gas step and {:.3g} ns per particle in it, measured with the "
                      "case's own law.\n",
-                     1e-6 * comparison.particle_steps_per_s, 1e3 * comparison.gas_step_s);
+                     1e-6 * comparison.particle_steps_per_s, 1e3 * comparison.gas_step_s, 1e9 * comparison.exchange_s);
 }
 
 void print_as_markdown(const Comparison& comparison, std::ostream& out) {

@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "app/write_report_after.h"
 #include "scene/messages.h"
 
 namespace similitude::app {
@@ -95,7 +96,7 @@ int study(const StudyArguments& arguments) {
 
   std::cout << plan.study.title << "\n"
             << plan.cases.size() << " cases, one after the other; what they say is in run.log of their folders\n";
-  const int interrupted = run_cases(plan, folder, [](const std::string& line) { std::cout << line << std::endl; });
+  const int interrupted = run_cases(plan, plugins, folder, [](const std::string& line) { std::cout << line << std::endl; });
   if (interrupted != 0) {
     std::cout << "\ninterrupted; go on with --resume\n";
     return interrupted;
@@ -104,6 +105,7 @@ int study(const StudyArguments& arguments) {
   write_study(plan, result, folder);
   print(plan, result, std::cout);
   std::cout << "\nresults in " << folder.string() << "\n";
+  write_report_after(folder);
   for (const StudyCase& one : result.cases)
     if (!one.done) return k_some_case_failed;
   return 0;

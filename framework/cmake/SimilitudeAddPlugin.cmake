@@ -1,11 +1,12 @@
 # similitude_add_plugin(<name> KIND <kind> SOURCES … [LINKS …] [TEST …]): one plugin library, <kind>_<name>.so.
 #
 #   KIND     drag, contact, fluid, scaling or effect. A fluid plugin links libsimilitude; all others need headers only.
-#   SOURCES  usually one file
+#   SOURCES  usually one file, in C++ or in what fills the C boundary: C, Fortran
 #   LINKS    further libraries, private to the plugin
 #   TEST     sources of a GoogleTest program, which finds the library's path in the macro SIMILITUDE_PLUGIN_FILE
 #
-# The target is <kind>_<name>. This file serves the framework's own plugins and, installed, everybody else's:
+# The target is <kind>_<name>. Out of tree, after enable_testing(), the test <kind>_<name>_doctor has the program examine the
+# library (`similitude plugins doctor`). This file serves the framework's own plugins and, installed, everybody else's:
 #   find_package(similitude 0.1 REQUIRED COMPONENTS sdk)
 #   similitude_add_plugin(my_law KIND drag SOURCES my_law.cpp)
 # There the library lands in the project's build folder, which a case names under plugin_paths, and `cmake --install`
@@ -31,12 +32,14 @@ function(similitude_add_plugin name)
 
   set(target ${ARG_KIND}_${name})
   add_library(${target} MODULE ${ARG_SOURCES})
-  target_compile_features(${target} PRIVATE cxx_std_20)
+  if(CMAKE_CXX_COMPILER_LOADED)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+  endif()
   set_target_properties(${target} PROPERTIES
     PREFIX "" SUFFIX ".so" CXX_EXTENSIONS OFF
     C_VISIBILITY_PRESET hidden CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   # A type that is unique in the process would tie a plugin to its neighbours.
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_options(${target} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-fno-gnu-unique>)
 
   if(COMMAND similitude_flags)
     similitude_flags(${target})
@@ -83,6 +86,9 @@ function(similitude_add_plugin name)
   endif()
   install(TARGETS ${target} LIBRARY DESTINATION ${SIMILITUDE_PLUGIN_INSTALL_DIRECTORY} COMPONENT plugins)
 
+  if(SIMILITUDE_PROGRAM)
+    add_test(NAME ${target}_doctor COMMAND ${SIMILITUDE_PROGRAM} plugins doctor $<TARGET_FILE:${target}>)
+  endif()
   if(ARG_TEST)
     similitude_add_plugin_test(${target} ${sdk} ${ARG_TEST})
   endif()
@@ -120,7 +126,10 @@ function(similitude_refuse_fast_math target)
   get_target_property(options ${target} COMPILE_OPTIONS)
   get_target_property(link_options ${target} LINK_OPTIONS)
   get_target_property(flags ${target} COMPILE_FLAGS)
-  set(all "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${config}} ${options} ${link_options} ${flags}")
+  set(all "${options} ${link_options} ${flags}")
+  foreach(language C CXX Fortran)
+    string(APPEND all " ${CMAKE_${language}_FLAGS} ${CMAKE_${language}_FLAGS_${config}}")
+  endforeach()
   if(all MATCHES "(-ffast-math|-Ofast|-funsafe-math-optimizations)")
     message(FATAL_ERROR "${target}: ${CMAKE_MATCH_1} is among its flags, and a plugin must not be built with it. "
       "Remove it: -fno-math-errno and -fno-trapping-math, which let loops vectorise, are set already.")

@@ -148,6 +148,8 @@ similitude_gas_step gas_step(const ExchangeFields& exchange, GasFields& gas, dou
   step.velocity = gas.velocity.data();
   step.pressure = gas.pressure.data();
   step.stress_force = gas.stress_force.data();
+  step.added_viscosity = gas.added_viscosity.empty() ? nullptr : gas.added_viscosity.data();
+  for (std::size_t axis = 0; axis < 3; ++axis) step.flux[axis] = gas.flux[axis].empty() ? nullptr : gas.flux[axis].data();
   return step;
 }
 

@@ -36,6 +36,10 @@ struct GasFields {
   Column<double> velocity;       // [m/s], 3 x cells
   Column<double> pressure;       // [Pa]
   Column<double> stress_force;   // [N/m^3], 3 x cells
+  // Of effects; empty without them.
+  std::vector<NamedColumn> scalars;      // what the gas carries
+  Column<double> added_viscosity;        // [Pa s], the solver reads it
+  std::array<Column<double>, 3> flux;    // [m/s], faces: eps u
 };
 
 /// What a coupling remembers between two gas steps, beside the particles' own rows.

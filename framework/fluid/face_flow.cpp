@@ -217,6 +217,12 @@ void FaceFlow::fill_velocity(const similitude_gas_step& step) const {
   }
 }
 
+void FaceFlow::fill_flux(const similitude_gas_step& step) const {
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (step.flux[a] != nullptr) std::copy_n(flux_[a].begin(), mesh_.face_count[a], step.flux[a]);
+  }
+}
+
 void FaceFlow::fill_stress(const FaceFields& force, const similitude_gas_step& step) const {
   for (std::size_t a = 0; a < 3; ++a) {
     double* const stress = step.stress_force + static_cast<Index>(a) * mesh_.cell_count;

@@ -52,6 +52,8 @@ class FaceFlow {
 
   /// Cell means of the velocity; what is immersed at an inlet meets the flux between its particles.
   void fill_velocity(const similitude_gas_step& step) const;
+  /// eps u on faces, where the step asks for it: after fill_report(), whose mass balance it is.
+  void fill_flux(const similitude_gas_step& step) const;
   /// Cell means of a force per volume over active faces, one-sided at walls, as the step's stress_force.
   void fill_stress(const FaceFields& force, const similitude_gas_step& step) const;
   /// Mass balance, Courant number and flow through patches. Throws std::runtime_error if a velocity is not finite.

@@ -2,6 +2,7 @@
 /// Every plugin this process knows: found, checked, loaded once and never unloaded.
 
 #include <similitude/abi.h>
+#include <similitude/known_here.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -46,16 +47,21 @@ class Model {
  public:
   Model() = default;
   Model(const similitude_descriptor& descriptor, void* instance, std::uint32_t sets = 1)
-      : descriptor_(&descriptor), instance_(instance, descriptor.destroy), sets_(sets) {}
+      : descriptor_(&descriptor),
+        functions_(std::make_unique<Functions>(as_known_here(static_cast<const Functions*>(descriptor.functions)))),
+        instance_(instance, descriptor.destroy),
+        sets_(sets) {}
   explicit operator bool() const { return descriptor_ != nullptr; }
   const similitude_descriptor& descriptor() const { return *descriptor_; }
-  const Functions& functions() const { return *static_cast<const Functions*>(descriptor_->functions); }
+  /// A hook that the plugin's table does not reach is null.
+  const Functions& functions() const { return *functions_; }
   void* instance() const { return instance_.get(); }
   /// Of parameters: a contact model has one for all contacts, or one for each pair of materials.
   std::uint32_t sets() const { return sets_; }
 
  private:
   const similitude_descriptor* descriptor_ = nullptr;
+  std::unique_ptr<const Functions> functions_;
   std::unique_ptr<void, void (*)(void*)> instance_{nullptr, nullptr};
   std::uint32_t sets_ = 1;
 };
@@ -65,7 +71,7 @@ using FluidModel = Model<similitude_fluid_functions>;
 using ScalingModel = Model<similitude_scaling_functions>;
 using EffectModel = Model<similitude_effect_functions>;
 
-/// What a solver asks for; zero throughout where its table ends before the hook or has none.
+/// What a solver asks for; zero throughout where it has no such hook.
 similitude_fluid_needs needs_of(const FluidModel& fluid);
 
 class Catalogue {

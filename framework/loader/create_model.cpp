@@ -92,9 +92,7 @@ Model<Functions> create_model(const PluginEntry& plugin, const similitude_bed& b
 similitude_fluid_needs needs_of(const FluidModel& fluid) {
   similitude_fluid_needs needs{};
   needs.struct_size = sizeof needs;
-  const similitude_fluid_functions& table = fluid.functions();
-  const bool reaches = table.struct_size >= offsetof(similitude_fluid_functions, needs) + sizeof table.needs;
-  if (reaches && table.needs != nullptr) table.needs(fluid.instance(), &needs);
+  if (fluid.functions().needs != nullptr) fluid.functions().needs(fluid.instance(), &needs);
   return needs;
 }
 

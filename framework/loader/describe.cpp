@@ -67,6 +67,16 @@ const char* scaling_name(std::int32_t scales_as) {
       return "modulus";
     case SIMILITUDE_SCALES_AS_RESTITUTION:
       return "restitution";
+    case SIMILITUDE_SCALES_AS_FORCE:
+      return "force";
+    case SIMILITUDE_SCALES_AS_SURFACE_ENERGY:
+      return "surface energy";
+    case SIMILITUDE_SCALES_AS_ENERGY:
+      return "energy";
+    case SIMILITUDE_SCALES_AS_DIFFUSIVITY:
+      return "diffusivity";
+    case SIMILITUDE_SCALES_AS_RATE:
+      return "rate";
     default:
       return nullptr;
   }

@@ -1,5 +1,7 @@
 #include "loader/descriptor_check.h"
 
+#include <similitude/known_here.h>
+
 #include <cstddef>
 #include <set>
 #include <string>
@@ -42,19 +44,13 @@ Fault check(const similitude_fluid_functions& table) {
   return {};
 }
 
-/// [bytes], a kind's first function table: what was appended later may be missing.
-template <class Functions>
-constexpr std::size_t k_least_size = sizeof(Functions);
-template <>
-constexpr std::size_t k_least_size<similitude_fluid_functions> = offsetof(similitude_fluid_functions, needs);
-
 template <class Functions>
 Fault check_functions(const void* functions) {
-  const auto& table = *static_cast<const Functions*>(functions);
-  if (table.struct_size < k_least_size<Functions>)
-    return "its function table has " + std::to_string(table.struct_size) + " bytes, this program reads " +
-           std::to_string(k_least_size<Functions>);
-  return check(table);
+  const auto* table = static_cast<const Functions*>(functions);
+  if (table->struct_size < k_first_size<Functions>)
+    return "its function table has " + std::to_string(table->struct_size) + " bytes, this program reads " +
+           std::to_string(k_first_size<Functions>);
+  return check(as_known_here(table));
 }
 
 Fault check_functions(const std::string& kind, const void* functions) {
@@ -99,7 +95,7 @@ Refusal ask_the_author(const std::string& reason) {
 }  // namespace
 
 std::optional<Refusal> check_entry(const similitude_entry& entry) {
-  if (entry.struct_size < sizeof entry || entry.descriptors == nullptr)
+  if (entry.struct_size < k_first_size<similitude_entry> || entry.descriptors == nullptr)
     return ask_the_author("its entry is incomplete");
   if (entry.descriptor_count == 0) return ask_the_author("it offers no model");
 
@@ -108,9 +104,9 @@ std::optional<Refusal> check_entry(const similitude_entry& entry) {
     const std::string number = "model " + std::to_string(k + 1);
     if (entry.descriptors[k] == nullptr) return ask_the_author(number + " has no descriptor");
     const similitude_descriptor& model = *entry.descriptors[k];
-    if (model.struct_size < sizeof model)
+    if (model.struct_size < k_first_size<similitude_descriptor>)
       return ask_the_author(number + ": its descriptor has " + std::to_string(model.struct_size) +
-                            " bytes, this program reads " + std::to_string(sizeof model));
+                            " bytes, this program reads " + std::to_string(k_first_size<similitude_descriptor>));
     static const std::set<std::string> kinds{"drag", "contact", "fluid", "scaling", "effect"};
     const std::string kind = blank(model.kind) ? "" : model.kind;
     if (!kinds.contains(kind))

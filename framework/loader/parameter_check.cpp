@@ -50,7 +50,7 @@ std::string check_parameter(const similitude_parameter& parameter) {
   if (!is_lower_snake(parameter.name)) return "the name is not lower_snake";
   if (parameter.type < SIMILITUDE_REAL || parameter.type > SIMILITUDE_CHOICE)
     return "there is no type " + std::to_string(parameter.type);
-  if (parameter.scales_as < SIMILITUDE_SCALES_NOT || parameter.scales_as > SIMILITUDE_SCALES_AS_RESTITUTION)
+  if (parameter.scales_as < SIMILITUDE_SCALES_NOT || parameter.scales_as > SIMILITUDE_SCALES_REFUSED)
     return "there is no way of scaling " + std::to_string(parameter.scales_as);
   if (parameter.unit == nullptr) return "it has no unit";
   if (parameter.type == SIMILITUDE_REAL && *parameter.unit == '\0')

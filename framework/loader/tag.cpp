@@ -119,12 +119,12 @@ std::variant<similitude_tag, Refusal> read_tag(const fs::path& file) {
   std::size_t size = 0;
   if (!find_section(elf.get(), SIMILITUDE_TAG_SECTION, bytes, size))
     return Refusal{"it is no plugin: it has no section " SIMILITUDE_TAG_SECTION ".", k_no_plugin_of_ours};
-  if (size < sizeof(similitude_tag))
+  if (size < k_first_size<similitude_tag>)
     return Refusal{"its tag has " + std::to_string(size) + " bytes, this program reads " +
-                       std::to_string(sizeof(similitude_tag)) + ".",
+                       std::to_string(k_first_size<similitude_tag>) + ".",
                    k_rebuild};
-  similitude_tag tag;
-  std::memcpy(&tag, bytes, sizeof tag);
+  similitude_tag tag{};
+  std::memcpy(&tag, bytes, std::min(size, sizeof tag));
   if (std::memcmp(tag.magic, SIMILITUDE_TAG_MAGIC, sizeof tag.magic) != 0)
     return Refusal{"its tag starts with \"" + text_of(tag.magic) + "\", not with \"" SIMILITUDE_TAG_MAGIC "\".",
                    k_no_plugin_of_ours};
@@ -140,7 +140,7 @@ std::optional<Refusal> check_tag(const similitude_tag& tag) {
   if (tag.abi_minor > SIMILITUDE_ABI_MINOR)
     return Refusal{"built for plugin ABI " + theirs + ", this program offers ABI " + ours + ".",
                    "Update Similitude, or build the plugin for this one.\n" + (k_rebuild + both_sides(tag))};
-  if (tag.layout_hash != abi::layout_hash() || tag.struct_size < sizeof tag)
+  if (tag.layout_hash != abi::layout_hash() || tag.struct_size < k_first_size<similitude_tag>)
     return Refusal{"built for plugin ABI " + theirs + " with another layout of its structures (" +
                        hexadecimal(tag.layout_hash) + ", this program's is " + hexadecimal(abi::layout_hash()) + ").",
                    k_rebuild + both_sides(tag)};

@@ -82,12 +82,22 @@ class OutOf {
   Hdf5Reader& file_;
 };
 
+/// Columns that effects declared, by their names.
+template <class File, class Scalars>
+void transfer_scalars(File& file, const std::string& at, Scalars& scalars) {
+  auto count = static_cast<std::uint64_t>(scalars.size());
+  file.value(at, "scalars", count);
+  if constexpr (!std::is_const_v<Scalars>) scalars.resize(count);
+  for (std::uint64_t s = 0; s < count; ++s) file.column(at + "/scalar_" + std::to_string(s), scalars[s].value, "in the order of the case's effects");
+}
+
 template <class File, class Store>
 void transfer_particles(File& file, Store& store) {
   const std::string at = "/particles";
   file.group(at);
   file.value(at, "rotation", store.fields.rotation);
   file.value(at, "coupling", store.fields.coupling);
+  transfer_scalars(file, at, store.scalars);
   file.column(at + "/id", store.id, "id");
   file.column(at + "/species", store.species, "index of the class in the case");
   file.rows(at + "/position", store.position, "x [m], y [m], z [m], radius [m]");
@@ -165,6 +175,7 @@ void transfer_gas(File& file, State& state) {
   file.column(at + "/velocity", state.gas.velocity, "[m/s], x of all cells, then y, then z");
   file.column(at + "/pressure", state.gas.pressure, "[Pa]");
   file.column(at + "/stress_force", state.gas.stress_force, "[N/m^3], x of all cells, then y, then z");
+  transfer_scalars(file, at, state.gas.scalars);
   file.column(at + "/plugin", state.fluid, "as the fluid plugin orders them");
   file.value(at, "iterations", state.gas_report.iterations);
   file.value(at, "mass_residual [1]", state.gas_report.mass_residual);
@@ -200,6 +211,28 @@ void transfer_accounts(File& file, State& accounts) {
   file.vector(at, "boundary_impulse [N s]", accounts.boundary_impulse.data());
   file.vector(at, "buoyancy [N s]", accounts.buoyancy.data());
   file.value(at, "pumping_work [J]", accounts.pumping_work);
+}
+
+/// at_start, in, out, walls, exchanged of every gas scalar, one after the other.
+std::vector<double> flat(const std::vector<ScalarTotals>& totals) {
+  std::vector<double> numbers;
+  for (const ScalarTotals& t : totals) numbers.insert(numbers.end(), {t.at_start, t.in, t.out, t.walls, t.exchanged});
+  return numbers;
+}
+
+void transfer_totals(Into& file, const SimulationState& state) {
+  file.column("/scalar_totals", flat(state.scalar_totals), "at the start, in, out, from walls, from particles, of each gas scalar");
+  file.column("/scalars_from_walls", state.scalars_from_walls, "of each particle scalar");
+}
+
+void transfer_totals(OutOf& file, SimulationState& state) {
+  std::vector<double> numbers;
+  file.column("/scalar_totals", numbers, "");
+  state.scalar_totals.clear();
+  for (std::size_t n = 0; n + 5 <= numbers.size(); n += 5) {
+    state.scalar_totals.push_back({numbers[n], numbers[n + 1], numbers[n + 2], numbers[n + 3], numbers[n + 4]});
+  }
+  file.column("/scalars_from_walls", state.scalars_from_walls, "");
 }
 
 /// Averages of bins as plain columns: bins hold different numbers of blocks.
@@ -290,6 +323,7 @@ void transfer_outputs(File& file, State& outputs) {
   file.value(at, "last_frame_time [s]", outputs.last_frame_time);
   file.value(at, "monitors_length [bytes]", outputs.monitors_length);
   file.value(at, "probes_length [bytes]", outputs.probes_length);
+  file.value(at, "scalars_length [bytes]", outputs.scalars_length);
   file.value(at, "largest_overlap [1]", outputs.largest_overlap);
   file.value(at, "largest_overlap_of_run [1]", outputs.largest_overlap_of_run);
   file.group("/profiles");
@@ -307,6 +341,7 @@ void transfer(File& file, State& state) {
   transfer_gas(file, state.simulation);
   transfer_coupling(file, state.simulation.coupling);
   transfer_accounts(file, state.simulation.accounts);
+  transfer_totals(file, state.simulation);
   file.column("/warnings_given", state.simulation.warnings_given, "by the guards");
   transfer_outputs(file, state.outputs);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "coupling/coupling.h"
+#include "coupling/scalar_exchange.h"
 #include "output/accounts.h"
 #include "output/profiles.h"
 #include "output/vtk_writer.h"
@@ -28,6 +29,8 @@ struct SimulationState {
   similitude_gas_report gas_report{};        // of the last step
   std::vector<double> fluid;                 // what the fluid plugin says it remembers
   AccountsState accounts;
+  std::vector<ScalarTotals> scalar_totals;   // of what effects carry in the gas
+  std::vector<double> scalars_from_walls;    // of what they carry in particles
   std::vector<std::uint8_t> warnings_given;  // by the guards, each once in a run
 };
 
@@ -37,6 +40,7 @@ struct OutputsState {
   double last_frame_time = -1;               // [s], simulated
   std::uint64_t monitors_length = 0;         // [bytes] of monitors.csv
   std::uint64_t probes_length = 0;           // [bytes] of probes.csv; 0: there is none
+  std::uint64_t scalars_length = 0;          // [bytes] of scalars.csv; 0: there is none
   double largest_overlap = 0;                // [-], since the last row of monitors.csv
   double largest_overlap_of_run = 0;         // [-]
   ProfileSampler::State profiles;

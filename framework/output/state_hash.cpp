@@ -23,11 +23,13 @@ std::string state_hash(const ParticleStore& particles, const GasFields* gas, con
     hash.add(names, sizeof names);
     hash.add(&particles.position[row], sizeof(Row));
     hash.add(&particles.velocity[row], sizeof(Row));
+    for (const NamedColumn& scalar : particles.scalars) hash.add(&scalar.value[row], sizeof(double));
     if (particles.fields.rotation) hash.add(&particles.angular_velocity[row], sizeof(Row));
   }
   if (gas) {
     add_field(hash, gas->velocity);
     add_field(hash, gas->pressure);
+    for (const NamedColumn& scalar : gas->scalars) add_field(hash, scalar.value);
   }
   if (gas_fraction) add_field(hash, *gas_fraction);
   return hash.hex().substr(0, 32);

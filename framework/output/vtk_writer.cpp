@@ -212,6 +212,11 @@ void VtkWriter::particles(const ParticleStore& store, double time) {
   columns.AddArray(material_diameter);
   columns.AddArray(id);
   columns.AddArray(species);
+  for (const NamedColumn& scalar : store.scalars) {
+    auto values = float_array((scalar.name + " [" + scalar.unit + "]").c_str(), 1, count);
+    for (std::size_t k = 0; k < count; ++k) values->SetValue(static_cast<vtkIdType>(k), static_cast<float>(scalar.value[order[k]]));
+    columns.AddArray(values);
+  }
   if (store.fields.rotation) {
     auto spin = float_array("angular_velocity [rad/s]", 3, count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -255,6 +260,11 @@ void VtkWriter::fluid(const Grid& grid, const GasFields& gas, const Column<doubl
   columns.AddArray(velocity);
   columns.AddArray(pressure);
   columns.AddArray(fraction);
+  for (const NamedColumn& scalar : gas.scalars) {
+    auto values = float_array(("gas_" + scalar.name + " [" + scalar.unit + "]").c_str(), 1, cells);
+    for (std::size_t c = 0; c < cells; ++c) values->SetValue(static_cast<vtkIdType>(c), static_cast<float>(scalar.value[c]));
+    columns.AddArray(values);
+  }
   const double real_time = map.time(time);
   describe(*data->GetFieldData(), map, {}, real_time);
   vtkNew<vtkXMLImageDataWriter> writer;

@@ -4,10 +4,10 @@
 
 namespace similitude {
 
-CarriedHistory::CarriedHistory(const similitude_contact_needs& needs) : rows_((needs.history_count + 3) / 4) {
-  std::array<double, SIMILITUDE_MAX_HISTORY> sign{};
-  for (std::size_t h = 0; h < SIMILITUDE_MAX_HISTORY; ++h) {
-    sign[h] = h < needs.history_count && needs.history_parity[h] == SIMILITUDE_ODD ? -1 : 1;
+CarriedHistory::CarriedHistory(const ContactMemory& memory) : rows_(memory.rows()) {
+  std::array<double, k_most_history> sign{};
+  for (std::size_t h = 0; h < k_most_history; ++h) {
+    sign[h] = h < memory.count && memory.parity[h] == SIMILITUDE_ODD ? -1 : 1;
   }
   for (std::size_t r = 0; r < sign_when_swapped_.size(); ++r) {
     sign_when_swapped_[r] = {sign[4 * r], sign[4 * r + 1], sign[4 * r + 2], sign[4 * r + 3]};

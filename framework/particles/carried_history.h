@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <similitude/abi.h>
-
+#include "particles/contact_effects.h"
 #include "particles/store.h"
 
 namespace similitude {
@@ -16,7 +15,7 @@ class ContactLists;
 
 class CarriedHistory {
  public:
-  explicit CarriedHistory(const similitude_contact_needs& needs);
+  explicit CarriedHistory(const ContactMemory& memory);
 
   /// Takes the touching contacts of `lists` over to new rows; new_row[old row] is k_gone where a particle left.
   void collect(const ContactLists& lists, const std::vector<std::uint32_t>& new_row, std::size_t new_rows);
@@ -36,7 +35,7 @@ class CarriedHistory {
 
  private:
   std::size_t rows_;                             // per contact
-  std::array<Row, SIMILITUDE_MAX_HISTORY / 4> sign_when_swapped_;
+  std::array<Row, k_most_history / 4> sign_when_swapped_;
   std::vector<std::uint32_t> first_, partner_;   // by owner
   Column<Row> history_;
 };

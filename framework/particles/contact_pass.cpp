@@ -39,11 +39,14 @@ struct ContactPass::Run {
   std::uint32_t parted = 0;                 // of `rows`: what touched a sub-step ago and no longer does
 };
 
-ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
-                         const Bricks& bricks, ContactLists& lists)
-    : particles_(particles), law_(law), surfaces_(surfaces), bricks_(bricks), lists_(lists), materials_(classes + 1) {
+ContactPass::ContactPass(ParticleStore& particles, const ContactModel& law, const ContactEffects& effects, std::size_t classes,
+                         const Surfaces& surfaces, const Bricks& bricks, ContactLists& lists)
+    : particles_(particles), law_(law), effects_(effects), surfaces_(surfaces), bricks_(bricks), lists_(lists), materials_(classes + 1) {
   needs_.struct_size = sizeof(needs_);
   law.functions().needs(law.instance(), &needs_);
+  law_couple_ = needs_.couple != 0;
+  needs_.rotation = needs_.rotation || effects.rotation();
+  needs_.couple = needs_.couple || effects.couple();
   if (needs_.rotation && !particles.fields.rotation) {
     throw std::invalid_argument("the contact law needs angular velocities: make the ParticleStore with fields.rotation");
   }
@@ -248,7 +251,7 @@ void ContactPass::call_law(Run& run) {
     block.angular_velocity_i[axis] = needs_.rotation ? c.angular_velocity_i[axis] : nullptr;
     block.angular_velocity_j[axis] = needs_.rotation ? c.angular_velocity_j[axis] : nullptr;
     block.force[axis] = c.force[axis];
-    block.couple[axis] = needs_.couple ? c.couple[axis] : nullptr;
+    block.couple[axis] = law_couple_ ? c.couple[axis] : nullptr;
   }
   block.overlap = c.overlap;
   block.radius_i = c.radius_i;
@@ -260,11 +263,14 @@ void ContactPass::call_law(Run& run) {
   status.code = 0;
   status.row = -1;
   status.text[0] = 0;
+  if (!effects_.empty() && reach_ > law_reach_) effects_.before_law(block, c, law_reach_);
   law_.functions().forces(law_.instance(), &block, &status);
+  const char* blame = nullptr;
+  if (!effects_.empty() && status.code == 0) effects_.after_law(block, c, law_reach_, status, blame);
   if (status.code != 0 && !run.complaint.raised) {
     const bool named = status.row >= 0 && static_cast<std::uint32_t>(status.row) < run.padded;
     const std::uint32_t nobody = ~0u;
-    run.complaint = {true, run.brick, named ? lists_.candidates[c.candidate[status.row]].owner : nobody, status.text};
+    run.complaint = {true, run.brick, named ? lists_.candidates[c.candidate[status.row]].owner : nobody, status.text, blame};
   }
 }
 

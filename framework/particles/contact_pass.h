@@ -10,6 +10,7 @@
 #include <similitude/abi.h>
 
 #include "loader/catalogue.h"
+#include "particles/contact_effects.h"
 #include "particles/contact_lists.h"
 #include "particles/store.h"
 #include "particles/surfaces.h"
@@ -26,7 +27,8 @@ constexpr std::uint32_t k_window = 512;
 struct alignas(64) BlockColumns {
   using Numbers = double[k_block_rows];
   alignas(64) Numbers normal[3], overlap, velocity[3], angular_velocity_i[3], angular_velocity_j[3], radius_i, radius_j;
-  alignas(64) Numbers effective_mass, lever_i, lever_j, force[3], couple[3], history[SIMILITUDE_MAX_HISTORY];
+  alignas(64) Numbers effective_mass, lever_i, lever_j, force[3], couple[3], history[k_most_history];
+  alignas(64) Numbers law_overlap, law_force[3];   // only where effects have a contact pass
   // Touching candidates, filled up with copies to a whole block multiple; room for one pack more.
   std::uint32_t candidate[k_block_rows + 8];
   std::uint32_t due[k_window + 8];                // candidates to look at
@@ -47,17 +49,21 @@ struct LawComplaint {
   std::uint32_t brick = 0;
   std::uint32_t owner = 0;            // row, or ~0 if the law named none
   std::string text;
+  const char* effect = nullptr;       // its id, if it was an effect and not the law
 };
 
 class ContactPass {
  public:
   /// `classes` of particles in the scene. Throws std::invalid_argument if the law needs rotation and the store has none, or if
   /// it has several parameter sets but not one for each pair of materials.
-  ContactPass(ParticleStore& particles, const ContactModel& law, std::size_t classes, const Surfaces& surfaces,
-              const Bricks& bricks, ContactLists& lists);
+  ContactPass(ParticleStore& particles, const ContactModel& law, const ContactEffects& effects, std::size_t classes,
+              const Surfaces& surfaces, const Bricks& bricks, ContactLists& lists);
 
-  const similitude_contact_needs& needs() const { return needs_; }
-  void set_reach(double reach) { reach_ = reach; }   // [m]
+  /// [m], of the law, and of the farthest of law and effects.
+  void set_reach(double of_law, double reach) {
+    law_reach_ = of_law;
+    reach_ = reach;
+  }
   void make_room();                                  // for the slots of the present lists
 
   /// Zeroes the rows' force and torque, then adds what contacts owned by this brick do inside it; shares of partners in
@@ -101,13 +107,15 @@ class ContactPass {
 
   ParticleStore& particles_;
   const ContactModel& law_;
+  const ContactEffects& effects_;
   const Surfaces& surfaces_;
   const Bricks& bricks_;
   ContactLists& lists_;
-  similitude_contact_needs needs_{};
+  similitude_contact_needs needs_{};        // of law and effects together, but for history: the law's
+  bool law_couple_ = false;
   std::size_t materials_ = 1;               // classes of particles and the wall
   std::vector<std::uint32_t> pair_of_;      // parameter set by both materials; empty: one set for all
-  double reach_ = 0;
+  double reach_ = 0, law_reach_ = 0;
   Column<Row> share_force_, share_torque_;   // per slot: what the partner feels
 };
 

@@ -12,6 +12,7 @@
 #include "loader/contact_answers.h"
 #include "particles/bricks.h"
 #include "particles/carried_history.h"
+#include "particles/contact_effects.h"
 #include "particles/contact_lists.h"
 #include "particles/contact_pass.h"
 #include "particles/errors.h"
@@ -61,7 +62,8 @@ double wrapped(double position, double period) {
 }  // namespace
 
 struct Engine::Parts {
-  Parts(ParticleStore& store, const ModelScene& scene, const ContactModel& model, const EngineOptions& wanted)
+  Parts(ParticleStore& store, const ModelScene& scene, const ContactModel& model, const EngineOptions& wanted,
+        std::span<const EffectModel> all_effects)
       : particles(store),
         law(model),
         options(wanted),
@@ -69,9 +71,11 @@ struct Engine::Parts {
         periodic(scene.periodic),
         surfaces(scene),
         needs(needs_of(model)),
-        lists((needs.history_count + 3) / 4, scene.periodic[0] || scene.periodic[1] || scene.periodic[2]),
-        carried(needs),
-        contacts(store, model, scene.particles.size(), surfaces, bricks, lists) {
+        effects(needs, all_effects),
+        lists(effects.memory().rows(), scene.periodic[0] || scene.periodic[1] || scene.periodic[2]),
+        carried(effects.memory()),
+        contacts(store, model, effects, scene.particles.size(), surfaces, bricks, lists) {
+    needs.rotation = needs.rotation || effects.rotation();
     if (!scene.models.contact_pairs.empty() && model.sets() != scene.models.contact_pairs.size()) {
       throw std::invalid_argument("the scene has contact parameters for each pair of materials, the law was made without them");
     }
@@ -96,6 +100,7 @@ struct Engine::Parts {
   void carry_out(std::size_t row);
   void adapt_skin();
   void lay_out();
+  double reach_of_law() const;
   double displacement() const;
   bool lists_are_due();
   void share_out();
@@ -110,7 +115,8 @@ struct Engine::Parts {
   std::array<double, 3> size;
   std::array<bool, 3> periodic;
   Surfaces surfaces;
-  similitude_contact_needs needs;
+  similitude_contact_needs needs;         // of the law; rotation: of the effects too
+  ContactEffects effects;
   Bricks bricks;
   ContactLists lists;
   CarriedHistory carried;
@@ -127,7 +133,7 @@ struct Engine::Parts {
   std::vector<std::vector<std::uint32_t>> pushed;   // per thread: bricks that are yet to move
   std::size_t listed_rows = 0;
   bool stale = true;                      // the lists must be built before the next sub-step, whatever moved
-  double reach = 0;                       // [m], of the law
+  double reach = 0;                       // [m], of law and effects
   double skin = 0;                        // [m]
   double skin_in_diameters = k_least_skin;   // [-], where the case gives none
   std::int64_t listed_at = 0;             // sub-step of the last rebuild
@@ -184,11 +190,19 @@ void Engine::Parts::adapt_skin() {
   if (best > k_worth_a_change * skin_in_diameters || skin_in_diameters > k_worth_a_change * best) skin_in_diameters = best;
 }
 
+/// [m], at the largest particle's diameter.
+double Engine::Parts::reach_of_law() const {
+  double largest_radius = 0;
+  for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
+  return reach_of(law, 2 * largest_radius);
+}
+
 void Engine::Parts::lay_out() {
   double largest_radius = 0;
   for (const Row& p : particles.position) largest_radius = std::max(largest_radius, p.w);
-  reach = reach_of(law, 2 * largest_radius);
-  contacts.set_reach(reach);
+  const double of_law = reach_of_law();
+  reach = std::max(of_law, effects.reach(2 * largest_radius));
+  contacts.set_reach(of_law, reach);
   skin = options.skin > 0 ? options.skin : skin_in_diameters * 2 * largest_radius;
   const double cut_off = 2 * largest_radius + reach + skin;
   if (cut_off != bricks.cut_off()) bricks.lay_out(size, periodic, cut_off);
@@ -429,7 +443,8 @@ void Engine::Parts::throw_if_stopped() {
     }
     const std::string text = first->text;
     for (LawComplaint& complaint : complaints) complaint = {};
-    throw SimulationError("The contact law " + std::string(law.descriptor().id) + " stopped the run for " + who + " in sub-step " +
+    const std::string what = first->effect ? std::string("The effect ") + first->effect : std::string("The contact law ") + law.descriptor().id;
+    throw SimulationError(what + " stopped the run for " + who + " in sub-step " +
                               std::to_string(steps) + ": " + text,
                           "");
   }
@@ -494,7 +509,7 @@ void Engine::Parts::restore(const EngineState& state) {
   if (!state.listed) return;
   if (state.reference.size() != particles.size()) throw std::invalid_argument("as many rows as lists were built for are needed");
   reach = state.reach;
-  contacts.set_reach(reach);
+  contacts.set_reach(reach_of_law(), reach);
   skin = state.skin;
   bricks.lay_out(size, periodic, state.cut_off);
   Column<Row> now = state.reference;
@@ -509,8 +524,9 @@ void Engine::Parts::restore(const EngineState& state) {
 
 // --------------------------------------------------------------------------------------------------------- outside
 
-Engine::Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options)
-    : parts_(std::make_unique<Parts>(particles, scene, law, options)) {}
+Engine::Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options,
+               std::span<const EffectModel> effects)
+    : parts_(std::make_unique<Parts>(particles, scene, law, options, effects)) {}
 Engine::~Engine() = default;
 
 void Engine::advance(std::int64_t sub_steps) { parts_->advance(sub_steps); }
@@ -522,6 +538,8 @@ void Engine::set_options(const EngineOptions& options) {
 
 void Engine::save(EngineState& state) const { parts_->save(state); }
 void Engine::restore(const EngineState& state) { parts_->restore(state); }
+
+void Engine::touching(TouchingContacts& out) const { collect_touching(parts_->lists, out); }
 
 const EngineReport& Engine::report() const { return parts_->report; }
 
@@ -539,7 +557,9 @@ std::vector<std::string> Engine::passes() const {
   out.push_back("neighbour list (half lists by bricks, rebuilt when a particle has moved by half the skin)");
   out.push_back("contacts (" + std::string(p.law.descriptor().id) + ", " + std::to_string(p.needs.history_count) +
                 " history values, " + (p.needs.rotation ? "with" : "without") + " rotation" +
-                (p.law.sets() > 1 ? ", " + std::to_string(p.law.sets()) + " pairs of materials)" : ")"));
+                (p.law.sets() > 1 ? ", " + std::to_string(p.law.sets()) + " pairs of materials)" : ")") +
+                (p.effects.empty() ? "" : " and " + p.effects.names() + " (effects, " +
+                 std::to_string(p.effects.memory().count - p.needs.history_count) + " history values)"));
   out.push_back("walls (" + std::to_string(p.surfaces.count()) + " surfaces)");
   out.push_back("exchange (shares of contacts across bricks)");
   out.push_back(std::string("integrate (semi-implicit Euler") + (p.particles.fields.coupling ? ", drag implicit)" : ")"));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,9 @@ class Engine {
   /// The scene gives walls, baffles, periodic directions and domain: six faces but for periodic ones; velocity patches are
   /// walls, pressure patches let particles out. Store, scene's bed and law stay alive with the engine. Throws
   /// std::invalid_argument if the law needs rotation and the store has none, or if its parameter sets are neither one for all
-  /// nor one for each pair of the scene's materials.
-  Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options);
+  /// nor one for each pair of the scene's materials. Of `effects`, which stay alive too, those with a contact pass act.
+  Engine(ParticleStore& particles, const ModelScene& scene, const ContactModel& law, const EngineOptions& options,
+         std::span<const EffectModel> effects = {});
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -89,6 +91,9 @@ class Engine {
   /// `particles` has been set to the rows of that instant. Throws std::invalid_argument if state and rows do not belong
   /// together.
   void restore(const EngineState& state);
+
+  /// The contacts that touched in the last sub-step, in the order of the lists.
+  void touching(TouchingContacts& out) const;
 
   const EngineReport& report() const;
   std::vector<StageTime> stage_times() const;

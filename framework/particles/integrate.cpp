@@ -10,7 +10,7 @@ using pack::V4;
 
 namespace {
 
-template <bool Coupling, bool Rotation, bool Damping>
+template <bool Coupling, bool Rotation, bool Damping, bool AddedMass>
 MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion) {
   // The fourth numbers of rows (radius, mass, inertia) pass through: whatever is added to them is 0.
   const V4 step{motion.dt, motion.dt, motion.dt, 0};
@@ -29,7 +29,9 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
   const auto advance_row = [&](std::uint32_t row) -> V4 {
     const V4 v = pack::load(velocity[row]);
     const double mass = v[3];
-    const double step_per_mass = motion.dt / mass;
+    // Gas that is moved along adds to what every force must move, but has no weight: (m + m_a) dv = dt (F + m g).
+    const double moved = AddedMass ? mass + particles.added_mass[row] : mass;
+    const double step_per_mass = motion.dt / moved;
     const V4 contact_force = pack::load(particles.force[row]);
     V4 force = contact_force;
     double resistance = 1 + damping;
@@ -38,7 +40,7 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
       force += pack::load(particles.stress_force[row]) + gas[3] * gas;
       resistance += step_per_mass * gas[3];
     }
-    V4 v_new = v + fall + step_per_mass * force;
+    V4 v_new = v + (AddedMass ? mass / moved * fall : fall) + step_per_mass * force;
     if constexpr (Coupling || Damping) v_new /= pack::all(resistance);
     v_new = pack::with_fourth(v_new, v);
     const V4 x_new = pack::load(position[row]) + step * v_new;
@@ -51,8 +53,14 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
     if constexpr (Coupling) {
       const V4 gas = pack::load(particles.gas[row]);
       const V4 drag = gas[3] * (gas - v_new);
-      const V4 stress = pack::load(particles.stress_force[row]);
-      pack::store(particles.drag_impulse[row], pack::load(particles.drag_impulse[row]) + step * drag);
+      V4 stress = pack::load(particles.stress_force[row]);
+      V4 received = step * drag;
+      if constexpr (AddedMass) {
+        const V4 passed_on = particles.added_mass[row] * pack::with_fourth(v_new - v, pack::all(0));   // to the gas moved along
+        stress -= (1 / motion.dt) * passed_on;
+        received -= passed_on;
+      }
+      pack::store(particles.drag_impulse[row], pack::load(particles.drag_impulse[row]) + received);
       drag_sum += drag;
       stress_sum += stress;
       drag_power += drag * twice_mean;
@@ -96,19 +104,22 @@ MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t e
   return out;
 }
 
-template <bool Coupling, bool Rotation>
-MotionResult move(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion) {
-  return motion.velocity_damping != 0 ? move<Coupling, Rotation, true>(particles, begin, end, motion)
-                                      : move<Coupling, Rotation, false>(particles, begin, end, motion);
+template <bool Coupling, bool Rotation, bool AddedMass = false>
+MotionResult move_all(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion) {
+  return motion.velocity_damping != 0 ? move<Coupling, Rotation, true, AddedMass>(particles, begin, end, motion)
+                                      : move<Coupling, Rotation, false, AddedMass>(particles, begin, end, motion);
 }
 
 }  // namespace
 
 MotionResult integrate(ParticleStore& particles, std::uint32_t begin, std::uint32_t end, const Motion& motion, bool rotation) {
-  if (particles.fields.coupling) {
-    return rotation ? move<true, true>(particles, begin, end, motion) : move<true, false>(particles, begin, end, motion);
+  if (particles.fields.added_mass) {
+    return rotation ? move_all<true, true, true>(particles, begin, end, motion) : move_all<true, false, true>(particles, begin, end, motion);
   }
-  return rotation ? move<false, true>(particles, begin, end, motion) : move<false, false>(particles, begin, end, motion);
+  if (particles.fields.coupling) {
+    return rotation ? move_all<true, true>(particles, begin, end, motion) : move_all<true, false>(particles, begin, end, motion);
+  }
+  return rotation ? move_all<false, true>(particles, begin, end, motion) : move_all<false, false>(particles, begin, end, motion);
 }
 
 double largest_displacement_squared(const ParticleStore& particles, const Column<Row>& reference, std::uint32_t begin,

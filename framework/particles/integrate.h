@@ -7,7 +7,8 @@
 ///   w' = (w + dt/I T) / (1 + dt damping)
 ///
 /// so drag K (u - v') and damping are implicit, stable for any K, and the impulse dt K (u - v') that the particle received
-/// is what the gas is charged.
+/// is what the gas is charged. Added mass m_a moves with its particle: m becomes m + m_a in every quotient, but not in the
+/// weight, and what it takes, m_a (v' - v), goes to the gas.
 
 #include <array>
 #include <cstdint>

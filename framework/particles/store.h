@@ -4,39 +4,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <new>
+#include <string>
 #include <vector>
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 
 namespace similitude {
 
-/// 64-byte aligned storage, so that rows and columns meet the vector width. Large columns lie on large pages where the system
-/// has them: contacts reach from row to row, and every small page costs a look-up.
+/// Memory of a column, 64-byte aligned, so that rows and columns meet the vector width. Large columns lie on large pages where
+/// the system has them: contacts reach from row to row, and every small page costs a look-up. Throws std::bad_alloc.
+void* allocate_column(std::size_t bytes);
+void free_column(void* column, std::size_t bytes) noexcept;
+
 template <class T>
 struct CacheAligned {
   using value_type = T;
-  static constexpr std::size_t k_cache_line = 64, k_large_page = std::size_t{1} << 21, k_worth_large_pages = k_large_page / 2;
 
   CacheAligned() = default;
   template <class U>
   CacheAligned(const CacheAligned<U>&) {}
-  T* allocate(std::size_t n) {
-    if (n > std::numeric_limits<std::size_t>::max() / 4 / sizeof(T)) throw std::bad_array_new_length();
-    const std::size_t bytes = n * sizeof(T);
-    if (bytes < k_worth_large_pages) return static_cast<T*>(::operator new(bytes, std::align_val_t{k_cache_line}));
-    const std::size_t whole = (bytes + k_large_page - 1) / k_large_page * k_large_page;
-    void* const at = ::operator new(whole, std::align_val_t{k_large_page});
-#if defined(__linux__)
-    madvise(at, whole, MADV_HUGEPAGE);   // a wish: without it all is the same but slower
-#endif
-    return static_cast<T*>(at);
-  }
-  void deallocate(T* p, std::size_t n) {
-    ::operator delete(p, std::align_val_t{n * sizeof(T) < k_worth_large_pages ? k_cache_line : k_large_page});
-  }
+  T* allocate(std::size_t n) { return static_cast<T*>(allocate_column(n * sizeof(T))); }
+  void deallocate(T* p, std::size_t n) { free_column(p, n * sizeof(T)); }
   template <class U>
   bool operator==(const CacheAligned<U>&) const { return true; }
 };
@@ -48,10 +34,17 @@ struct alignas(32) Row {
   double x = 0, y = 0, z = 0, w = 0;
 };
 
+/// Something that effects declared, a value per row: a temperature, a mass fraction.
+struct NamedColumn {
+  std::string name, unit;
+  Column<double> value;
+};
+
 /// What the particles carry beyond position, velocity and force.
 struct StoreFields {
   bool rotation = false;    // angular velocity and torque
   bool coupling = false;    // gas velocity, stress force, drag impulse
+  bool added_mass = false;  // of effects; only with coupling
 };
 
 /// Particle rows. Row numbers change when the bed is sorted; `id` never does. Pointers into columns do not outlive a sort.
@@ -67,16 +60,19 @@ struct ParticleStore {
   Column<Row> gas;                // u of the gas at the particle [m/s], w: K [kg/s], parcel weight included; coupling only
   Column<Row> stress_force;       // [N], V_p (-grad p + div tau) and all else held over a gas step; coupling only
   Column<Row> drag_impulse;       // [N s], received less what the gas was charged: see Coupling::interpolate; coupling only
+  Column<double> added_mass;      // [kg], of the gas moved along, parcel weight included; effects that add it make it anew in every
+                                  // gas step, so it is no part of a checkpoint
+  std::vector<NamedColumn> scalars;   // what effects declared; none without them. Whoever adds one fills it
   Column<std::uint64_t> id;       // for ever
   Column<std::uint32_t> species;  // index into the scene's particle classes
 
   std::size_t size() const { return position.size(); }
   void reserve(std::size_t n);
-  /// Adds a particle at rest; the row is valid until the next sort. `drag` rows start at zero.
+  /// Adds a particle at rest; the row is valid until the next sort. `drag` rows and scalars start at zero.
   std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
   /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
   void reorder(const std::vector<std::uint32_t>& order);
-  /// All rows of `other`, without its working memory.
+  /// All rows of `other`, without its working memory. Added mass, if this store has it, becomes zero.
   void copy_rows(const ParticleStore& other);
   /// Bytes of one particle's rows, as allocated.
   std::size_t bytes_per_particle() const;
@@ -84,6 +80,7 @@ struct ParticleStore {
  private:
   // The sorted copy of a column is made here and swapped in, so that a sort allocates only while the bed grows.
   Column<Row> spare_rows_;
+  Column<double> spare_numbers_;
   Column<std::uint64_t> spare_ids_;
   Column<std::uint32_t> spare_species_;
 };

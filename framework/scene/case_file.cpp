@@ -1,11 +1,14 @@
 #include "scene/case_file.h"
 
+#include <algorithm>
+
 #include "scene/case_keys.h"
 #include "scene/check.h"
 #include "scene/document.h"
 #include "scene/messages.h"
 #include "scene/model_reader.h"
 #include "scene/pair_reader.h"
+#include "scene/quantities.h"
 #include "scene/resolved.h"
 #include "scene/scene_reader.h"
 #include "scene/section.h"
@@ -84,6 +87,8 @@ void read_models(const Section& section, const Catalogue& catalogue, const Docum
   DocumentNode exact{DocumentNode::Kind::scalar, section.mark(), "exact", {}, {}};
   const DocumentNode& scaling = section.given("scaling") ? *section.node("scaling") : exact;
   models.scaling = read_model("scaling", scaling, path, catalogue, {std::string(stiffness.name)}, warnings);
+  const auto& own = models.scaling.parameters;   // a law's own parameter of that name means what the law says
+  if (std::any_of(own.begin(), own.end(), [&](const ModelParameter& p) { return p.name == stiffness.name; })) return;
   if (const DocumentNode* given = scaling.find(std::string(stiffness.name)))
     models.simulated_stiffness = read_quantity(*given, path + ".stiffness", stiffness.unit, stiffness.sign);
 }
@@ -99,6 +104,7 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   Document document(case_file);
   for (const std::string& assignment : overrides) document.set(assignment);
   check_version(document);
+  const QuantityValues quantities = take_quantities(document, catalogue);
   const Section root(&document.root(), "", case_keys(), document.root().mark);
 
   CaseFile result;
@@ -108,7 +114,9 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   scene.title = root.given("title") ? root.text("title") : scene.name;
   result.plugin_paths = plugin_paths(document, folder_of(case_file));
   read_scene(root.section("scene"), scene);
+  set_quantities(quantities, scene);
   read_models(root.section("models"), catalogue, document, scene, result.warnings);
+  check_quantities(scene, catalogue);
   read_coupling(root.section("coupling"), scene);
   read_time(root.section("time"), scene);
   read_output(root.section("output"), scene);

@@ -44,6 +44,7 @@ class Document {
   void set(const std::string& assignment);
 
   const DocumentNode& root() const { return root_; }
+  DocumentNode& root() { return root_; }
   /// Of the value at a dotted path, or of the deepest part of the path that was written.
   SourceMark mark(const std::string& path) const;
 

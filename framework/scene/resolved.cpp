@@ -79,6 +79,10 @@ Json bed(const BedFill& fill) {
   return result;
 }
 
+void add(Json& section, const GivenValues& values) {
+  for (const GivenValue& given : values) section[given.name] = given.unit == "1" ? Json(given.value) : Json(in(given.value, si_unit(given.unit).c_str()));
+}
+
 Json patch(const Patch& one) {
   Json result{{"face", face_name(one.face)}};
   for (const Axis axis : k_axes)
@@ -90,6 +94,7 @@ Json patch(const Patch& one) {
     result["velocity"] = in(one.velocity, "m/s");
     result["ramp"] = in(one.ramp, "s");
   }
+  add(result, one.values);
   return result;
 }
 
@@ -116,10 +121,12 @@ Json bed_scene(const RealScene& scene) {
   Json result;
   result["domain"] = {{"size", triple(scene.size, "m")}, {"cell", triple(scene.cell, "m")}};
   result["gas"] = {{"density", in(scene.gas_density, "kg/m^3")}, {"viscosity", in(scene.gas_viscosity, "Pa s")}};
+  add(result["gas"], scene.gas_values);
   for (const ParticleClass& species : scene.particles) {
     Json& one = result["particles"][species.name];
     one = {{"diameter", in(species.diameter, "m")}, {"density", in(species.density, "kg/m^3")}};
     if (species.count) one["count"] = *species.count;
+    add(one, species.values);
   }
   result["bed"] = bed(scene.bed);
   for (const Patch& one : scene.patches) result["patches"][one.name] = patch(one);
@@ -134,6 +141,7 @@ Json bed_scene(const RealScene& scene) {
       result["walls"][face_name({axis, side})] =
           scene.walls[index(axis)][static_cast<std::size_t>(side)] == WallKind::slip ? "slip" : "no_slip";
   }
+  if (!scene.wall_values.empty()) add(result["walls"], scene.wall_values);
   result["periodic"] = periodic;
   result["gravity"] = triple(scene.gravity, "m/s^2");
   return result;

@@ -1,5 +1,8 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace similitude {
 
 std::string face_name(Face face) {
@@ -8,5 +11,10 @@ std::string face_name(Face face) {
 }
 
 char axis_name(Axis axis) { return "xyz"[static_cast<int>(axis)]; }
+
+double value_of(const GivenValues& values, std::string_view name) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](const GivenValue& given) { return given.name == name; });
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
 
 }  // namespace similitude

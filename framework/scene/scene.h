@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace similitude {
@@ -32,6 +33,17 @@ struct SourceMark {
   int line = 0, column = 0;   // from 1; 0: not from a file (a default or --set)
 };
 
+/// The value of a key that effects declare: a temperature, a mass fraction, a heat capacity. SI.
+struct GivenValue {
+  std::string name, unit;
+  double value = 0;
+  int scales_as = 0;                // SIMILITUDE_SCALES_...
+  SourceMark mark;
+};
+using GivenValues = std::vector<GivenValue>;
+/// NaN if it is not among them.
+double value_of(const GivenValues& values, std::string_view name);
+
 enum class WallKind { no_slip, slip };
 enum class PatchKind { velocity, pressure };
 
@@ -49,6 +61,7 @@ struct Patch {
   double velocity = 0;              // [m/s], superficial, positive into the domain
   double ramp = 0;                  // [s]
   double pressure = 0;              // [Pa], above rho g.x
+  GivenValues values;               // of gas that flows in
   SourceMark mark;
   std::array<SourceMark, 3> extent_mark;   // of the extent along each axis; the patch's own where it was left out
 };
@@ -72,6 +85,7 @@ struct ParticleClass {
   double density = 0;               // [kg/m^3]
   double weight = 1;                // physical particles that one simulated particle stands for
   std::optional<std::int64_t> count;   // how many are wanted
+  GivenValues values;
 };
 
 enum class FillKind { settle, lattice, file, none };
@@ -149,6 +163,7 @@ struct Scene {
   std::array<std::array<WallKind, 2>, 3> walls{};   // for the gas, by axis and side
   double gas_density = 0;                           // [kg/m^3]
   double gas_viscosity = 0;                         // [Pa s]
+  GivenValues gas_values, wall_values;
   std::vector<ParticleClass> particles;
   BedFill bed;
   std::vector<Patch> patches;

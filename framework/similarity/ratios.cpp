@@ -48,6 +48,22 @@ BottomFlow bottom_flow(const Scene<Bed>& scene) {
   return flow;
 }
 
+/// [1/s], see similitude_bed.
+template <class Bed>
+double largest_shear_rate(const Scene<Bed>& scene, double mean_flow) {
+  double rate = std::abs(mean_flow) / (std::min(scene.size[0], scene.size[1]) / 2);
+  for (const Patch& patch : scene.patches) {
+    if (patch.kind != PatchKind::velocity || patch.rest) continue;
+    double narrower = std::numeric_limits<double>::infinity();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis == static_cast<std::size_t>(patch.face.axis)) continue;
+      narrower = std::min(narrower, patch.extent[axis].high - patch.extent[axis].low);
+    }
+    rate = std::max(rate, std::abs(patch.velocity) / (narrower / 2));
+  }
+  return rate;
+}
+
 template <class Bed>
 double solids_volume(const Scene<Bed>& scene) {
   double volume = 0;
@@ -70,6 +86,7 @@ similitude_bed described(const Scene<Bed>& scene) {
   const BottomFlow flow = bottom_flow(scene);
   bed.superficial_velocity = flow.mean;
   bed.largest_inlet_velocity = flow.largest;
+  bed.largest_shear_rate = largest_shear_rate(scene, flow.mean);
   if (scene.particles.empty()) return bed;
 
   const ParticleClass& first = scene.particles.front();
@@ -113,6 +130,11 @@ void check_ratios(const RealScene& real, const similitude_ratios& ratios) {
           "Check its parameters against the bed.");
 }
 
+/// Mass times acceleration of what touches: with it a contact force keeps its ratio to the grain's weight and inertia.
+double force_on_a_grain(const similitude_ratios& ratios) {
+  return ratios.particle_density * cube(ratios.diameter) * ratios.velocity / ratios.time;
+}
+
 double ratio_of(int scales_as, const similitude_ratios& ratios) {
   switch (scales_as) {
     case SIMILITUDE_SCALES_AS_LENGTH:
@@ -127,6 +149,16 @@ double ratio_of(int scales_as, const similitude_ratios& ratios) {
       return ratios.stiffness;
     case SIMILITUDE_SCALES_AS_MODULUS:
       return ratios.modulus;
+    case SIMILITUDE_SCALES_AS_FORCE:
+      return force_on_a_grain(ratios);
+    case SIMILITUDE_SCALES_AS_SURFACE_ENERGY:
+      return force_on_a_grain(ratios) / ratios.diameter;
+    case SIMILITUDE_SCALES_AS_ENERGY:
+      return force_on_a_grain(ratios) * ratios.diameter;
+    case SIMILITUDE_SCALES_AS_DIFFUSIVITY:
+      return ratios.diameter * ratios.diameter / ratios.time;
+    case SIMILITUDE_SCALES_AS_RATE:
+      return 1 / ratios.time;
     default:
       return 1;
   }
@@ -207,6 +239,27 @@ void scale_particles(ParticleClass& species, const similitude_ratios& ratios) {
   }
 }
 
+bool is_identity(const similitude_ratios& r) {
+  for (const double ratio : {r.length, r.diameter, r.drag_diameter, r.particle_density, r.gas_density, r.gas_viscosity, r.velocity, r.time,
+                             r.stiffness, r.modulus, r.energy_loss, r.parcel_weight})
+    if (ratio != 1) return false;
+  return true;
+}
+
+/// An effect may know no way to scale; then a scaled run with it would be neither bed.
+void check_effects_scale(const RealScene& real, const similitude_ratios& ratios) {
+  if (is_identity(ratios)) return;
+  for (const ModelChoice& effect : real.models.effects) {
+    for (const ModelParameter& parameter : effect.parameters) {
+      if (parameter.scales_as != SIMILITUDE_SCALES_REFUSED) continue;
+      throw InputError(effect.mark, "models.effects",
+                       fmt::format("{} does not say how its {} scales, and models.scaling is {}.", effect.id, parameter.name,
+                                   real.models.scaling.id),
+                       fmt::format("Set models.scaling: exact, or leave {} out of models.effects.", effect.id));
+    }
+  }
+}
+
 template <class From, class To>
 Scene<To> retyped(const Scene<From>& scene) {
   Scene<To> other;
@@ -220,6 +273,8 @@ Scene<To> retyped(const Scene<From>& scene) {
   other.walls = scene.walls;
   other.gas_density = scene.gas_density;
   other.gas_viscosity = scene.gas_viscosity;
+  other.gas_values = scene.gas_values;
+  other.wall_values = scene.wall_values;
   other.particles = scene.particles;
   other.bed = scene.bed;
   other.patches = scene.patches;
@@ -271,6 +326,7 @@ similitude_bed describe(const ModelScene& scene) { return described(scene); }
 ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios) {
   check_ratios(real, ratios);
   check_energy_loss(real, ratios);
+  check_effects_scale(real, ratios);
   const ResultRatios results = result_ratios(real, ratios);
   ModelScene bed = retyped<RealBed, ModelBed>(real);
   for (double& size : bed.size) size *= ratios.length;
@@ -278,6 +334,13 @@ ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios)
   bed.gas_density *= ratios.gas_density;
   bed.gas_viscosity *= ratios.gas_viscosity;
   for (ParticleClass& species : bed.particles) scale_particles(species, ratios);
+  const auto scale_values = [&](GivenValues& values) {
+    for (GivenValue& given : values) given.value *= ratio_of(given.scales_as, ratios);
+  };
+  scale_values(bed.gas_values);
+  scale_values(bed.wall_values);
+  for (ParticleClass& species : bed.particles) scale_values(species.values);
+  for (Patch& patch : bed.patches) scale_values(patch.values);
   scale(bed.bed.height, ratios.length);
   for (Patch& patch : bed.patches) {
     for (Interval& extent : patch.extent) scale(extent, ratios.length);

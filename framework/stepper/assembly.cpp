@@ -1,7 +1,9 @@
 #include "stepper/assembly.h"
 
+#include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
+#include "stepper/effects.h"
 
 namespace similitude {
 namespace {
@@ -73,40 +75,50 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
-/// An effect with all parameters at their defaults.
-ModelChoice with_defaults(const PluginEntry& effect) {
-  ModelChoice choice{.kind = "effect", .id = effect.descriptor->id, .parameters = {}, .mark = {}};
-  for (std::uint32_t i = 0; i < effect.descriptor->parameter_count; ++i) {
-    const similitude_parameter& row = effect.descriptor->parameters[i];
-    choice.parameters.push_back({.name = row.name,
-                                 .real = row.default_value,
-                                 .text = row.default_text != nullptr ? row.default_text : "",
-                                 .scales_as = row.scales_as,
-                                 .given = false});
+/// Gas and particle of the real bed exchange heat and mass at their own pace. Nothing is known that scales it together with
+/// the motion, so that only beds with the real gas and the real particle in it are left: the exact one, and parcels.
+void refuse_scaled_scalars(const Assembly& assembly) {
+  const similitude_ratios& r = assembly.ratios;
+  if (assembly.scalars.empty()) return;
+  for (const double ratio : {r.length, r.drag_diameter, r.particle_density, r.gas_density, r.gas_viscosity, r.velocity, r.time}) {
+    if (ratio == 1) continue;
+    const std::string id = assembly.scalars.effects.front().effect->descriptor().id;
+    throw InputError(assembly.real.models.scaling.mark, "models.scaling",
+                     assembly.real.models.scaling.id + " changes the gas, lengths or times, and " + id +
+                         " does not keep pace: heat and species would be exchanged at another rate than the bed moves.",
+                     "Use exact or parcel, which leave the gas and the particle in it as they are, or leave " + id +
+                         " out of models.effects.");
   }
-  return choice;
 }
 
-/// `effects: auto` becomes the list of those the real bed calls for.
-void choose_effects(RealScene& scene, const Catalogue& catalogue) {
-  if (!scene.models.effects_auto) return;
-  const similitude_bed bed = describe(scene);
-  for (const std::string& id : catalogue.ids("effect")) {
-    const PluginEntry& effect = *catalogue.find("effect", id);
-    if (relevance_of(effect, bed).verdict == 1) scene.models.effects.push_back(with_defaults(effect));
+/// What chose itself must not stand in the way of a solver that the case names.
+void leave_out_unusable_viscosity(Assembly& assembly) {
+  if (!assembly.real.models.effects_auto || assembly.fluid_needs.takes_added_viscosity != 0) return;
+  std::erase_if(assembly.effects, [&](const EffectModel& effect) {
+    if (effect.functions().cells == nullptr) return false;
+    assembly.warnings.push_back(std::string("models.effects: this bed calls for ") + effect.descriptor().id + ", but " +
+                                assembly.fluid.descriptor().id + " has no viscosity that it could add to.");
+    return true;
+  });
+}
+
+/// The solver must do what effects ask of it.
+void check_gas_for_effects(const Assembly& assembly) {
+  const std::string fluid = assembly.fluid.descriptor().id;
+  if (assembly.coupled() && !assembly.scalars.gas.empty() && assembly.fluid_needs.gives_flux == 0) {
+    throw InputError(assembly.real.models.fluid.mark, "models.fluid",
+                     fluid + " does not tell the flux of the gas, which carries its " + assembly.scalars.gas.front().name + ".",
+                     "Use vans or porous.");
+  }
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().cells == nullptr || assembly.fluid_needs.takes_added_viscosity != 0) continue;
+    throw InputError(assembly.real.models.fluid.mark, "models.fluid",
+                     fluid + " has no viscosity that " + effect.descriptor().id + " could add to.",
+                     "Use vans, or leave " + std::string(effect.descriptor().id) + " out of models.effects.");
   }
 }
 
 }  // namespace
-
-similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed) {
-  const EffectModel model = create_model<similitude_effect_functions>(effect, bed, values_of(with_defaults(effect)));
-  similitude_relevance relevance{};
-  relevance.struct_size = sizeof(relevance);
-  relevance.verdict = -1;
-  if (model.functions().relevance != nullptr) model.functions().relevance(model.instance(), &bed, &relevance);
-  return relevance;
-}
 
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
@@ -129,14 +141,21 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.drag = create<similitude_drag_functions>(catalogue, models.drag, bed, assembly.plugins);
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
   for (const ModelChoice& choice : models.effects) {
-    EffectModel effect = create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins);
-    if (effect.functions().particles != nullptr) assembly.effects.push_back(std::move(effect));
+    assembly.effects.push_back(create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins));
+    const similitude_effect_needs needs = needs_of(assembly.effects.back());
+    assembly.effect_reads |= needs.reads;
+    assembly.effect_adds |= needs.adds;
   }
+  check_partners(assembly.real, assembly.effects);
   assembly.grid = std::make_unique<Grid>(assembly.model);
 
   assembly.contact_needs.struct_size = sizeof(similitude_contact_needs);
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
+  leave_out_unusable_viscosity(assembly);
+  assembly.scalars = plan_scalars(assembly.model, assembly.effects);
+  refuse_scaled_scalars(assembly);
+  check_gas_for_effects(assembly);
   return assembly;
 }
 

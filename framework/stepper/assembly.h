@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "coupling/exchange_coefficient.h"
+#include "coupling/scalar_plan.h"
 #include "fluid/grid.h"
 #include "loader/catalogue.h"
 #include "output/map_back.h"
@@ -24,20 +25,25 @@ struct Assembly {
   ContactModel contact;
   DragModel drag;
   FluidModel fluid;
-  std::vector<EffectModel> effects;      // those with something to do on particles
+  std::vector<EffectModel> effects;      // in the order of the case
+  unsigned effect_reads = 0;             // SIMILITUDE_READS_... of all effects together
+  unsigned effect_adds = 0;              // SIMILITUDE_ADDS_...
+  ScalarPlan scalars;                    // what the effects carry
   similitude_contact_needs contact_needs{};
   similitude_fluid_needs fluid_needs{};
   std::vector<PluginEntry> plugins;      // in use, for the manifest
   std::vector<std::string> warnings;     // of the scaling, in words
 
+  /// Particles have angular velocity.
+  bool rotation() const {
+    return contact_needs.rotation != 0 || (effect_reads & SIMILITUDE_READS_ANGULAR_VELOCITY) != 0;
+  }
+  bool added_mass() const { return (effect_adds & SIMILITUDE_ADDS_ADDED_MASS) != 0; }
   bool coupled() const { return fluid.functions().sees_particles != 0; }
   DragForm drag_form() const {
     return fluid_needs.drag_over_gas_fraction != 0 ? DragForm::over_gas_fraction : DragForm::as_given;
   }
 };
-
-/// An effect's answer to whether a bed calls for it.
-similitude_relevance relevance_of(const PluginEntry& effect, const similitude_bed& bed);
 
 /// Creates the models of the scene and the simulated bed. Throws InputError for a scene that does not fit its cells and
 /// PluginError for a model that is missing or refuses its parameters.

@@ -1,24 +1,43 @@
 #include "stepper/bed.h"
 
+#include <filesystem>
+
+#include "particles/bed_cache.h"
+
 namespace similitude {
 
 StoreFields store_fields(const Assembly& assembly) {
-  return {.rotation = assembly.contact_needs.rotation != 0, .coupling = true};
+  return {.rotation = assembly.rotation(), .coupling = true, .added_mass = assembly.added_mass()};
 }
+
+namespace {
+
+FillOptions fill_options(const Assembly& assembly, const TimeSteps& steps,
+                         std::function<void(double fraction, const std::string& stage)> progress) {
+  return {.dt = steps.dt,
+          .length_ratio = assembly.ratios.length,
+          .diameter_ratio = assembly.ratios.diameter,
+          .density_ratio = assembly.ratios.particle_density,
+          .velocity_ratio = assembly.ratios.velocity,
+          .softer_law = [&assembly](double factor) { return softened_contact(assembly, factor); },
+          .progress = std::move(progress),
+          .cache_folder = cache_folder_of_beds()};
+}
+
+}  // namespace
 
 StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
                      std::function<void(double fraction, const std::string& stage)> progress) {
   StartingBed bed{.particles = ParticleStore(store_fields(assembly)), .filled = {}};
-  const FillOptions options{.dt = steps.dt,
-                            .length_ratio = assembly.ratios.length,
-                            .diameter_ratio = assembly.ratios.diameter,
-                            .density_ratio = assembly.ratios.particle_density,
-                            .velocity_ratio = assembly.ratios.velocity,
-                            .softer_law = [&assembly](double factor) { return softened_contact(assembly, factor); },
-                            .progress = std::move(progress),
-                            .cache_folder = cache_folder_of_beds()};
-  bed.filled = fill_bed(bed.particles, assembly.model, assembly.contact, options);
+  bed.filled = fill_bed(bed.particles, assembly.model, assembly.contact, fill_options(assembly, steps, std::move(progress)));
   return bed;
+}
+
+bool settled_bed_is_kept(const Assembly& assembly, const TimeSteps& steps) {
+  const FillOptions options = fill_options(assembly, steps, {});
+  if (!assembly.model.bed.cache || options.cache_folder.empty()) return false;
+  const std::string key = bed_key(assembly.model, assembly.contact, options);
+  return std::filesystem::exists(bed_cache_file(options.cache_folder, key));
 }
 
 }  // namespace similitude

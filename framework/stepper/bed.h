@@ -19,4 +19,7 @@ StoreFields store_fields(const Assembly& assembly);
 StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
                      std::function<void(double fraction, const std::string& stage)> progress);
 
+/// Is the scene's settled bed in the cache, so that filling takes no time?
+bool settled_bed_is_kept(const Assembly& assembly, const TimeSteps& steps);
+
 }  // namespace similitude

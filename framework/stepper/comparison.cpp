@@ -9,6 +9,7 @@
 #include "scene/case_file.h"
 #include "scene/messages.h"
 #include "stepper/inspection.h"
+#include "stepper/prediction.h"
 #include "stepper/time_steps.h"
 
 namespace similitude {
@@ -123,19 +124,17 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   const Priced bed = priced(typed, law);
   const Assembly& assembly = bed.assembly;
   strategy.factors = assembly.ratios;
-  Drags drags = drags_of(assembly, typed.catalogue);
-  drags.of_real = sphere_drag(drags.real, sphere_in_gas(describe(assembly.real)),
-                              std::cbrt(assembly.real.cell[0] * assembly.real.cell[1] * assembly.real.cell[2]));
-  const AuditedBed real = audited(assembly.real, drags.of_real), simulated = audited(assembly.model, drags.of_simulated);
-  strategy.groups = compare_groups(real, simulated, comparison.gas_fraction_at_minimum);
+  const ScalingAudit audit = audit_of(assembly, typed.catalogue, comparison.gas_fraction_at_minimum);
+  strategy.groups = audit.groups;
   strategy.warnings = assembly.warnings;
-  for (const std::string& warning : audit_warnings(real, simulated, strategy.groups)) strategy.warnings.push_back(warning);
+  strategy.warnings.insert(strategy.warnings.end(), audit.warnings.begin(), audit.warnings.end());
   for (const std::string& warning : bed.steps.warnings) strategy.warnings.push_back(warning);
   strategy.particles = bed.particles;
   strategy.particle_steps = bed.particle_steps;
   strategy.speedup = comparison.particle_steps / bed.particle_steps;
   strategy.wall_s = bed.particle_steps / comparison.particle_steps_per_s +
-                    std::ceil(assembly.model.time.end / bed.steps.gas_dt()) * comparison.gas_step_s;
+                    std::ceil(assembly.model.time.end / bed.steps.gas_dt()) *
+                        (comparison.gas_step_s + comparison.exchange_s * bed.particles);
   return strategy;
 }
 
@@ -155,8 +154,10 @@ Comparison started(const CaseAsTyped& typed) {
   const Assembly assembly = assemble(scene, typed.catalogue);
   const TimeSteps steps = choose_time_steps(assembly);
   const PredictedCost cost = predict_cost(assembly, steps);
+  if (!cost.gap.empty()) throw InputError("no cost can be compared: " + cost.gap);
   comparison.particle_steps_per_s = cost.particle_steps_per_s;
   comparison.gas_step_s = cost.gas_step_s;
+  comparison.exchange_s = cost.exchange_s;
   comparison.particle_steps = priced(typed, {"exact", "exact", "", ""}).particle_steps;
   return comparison;
 }
@@ -237,6 +238,16 @@ Strategy proposal(const CaseAsTyped& typed, const Knob& knob, double wanted, Com
 }
 
 }  // namespace
+
+ScalingAudit audit_of(const Assembly& assembly, const Catalogue& catalogue, double gas_fraction_at_minimum) {
+  Drags drags = drags_of(assembly, catalogue);
+  drags.of_real = sphere_drag(drags.real, sphere_in_gas(describe(assembly.real)),
+                              std::cbrt(assembly.real.cell[0] * assembly.real.cell[1] * assembly.real.cell[2]));
+  const AuditedBed real = audited(assembly.real, drags.of_real), simulated = audited(assembly.model, drags.of_simulated);
+  ScalingAudit audit{.groups = compare_groups(real, simulated, gas_fraction_at_minimum), .warnings = {}};
+  audit.warnings = audit_warnings(real, simulated, audit.groups);
+  return audit;
+}
 
 LawChoice law_from_text(const std::string& text) {
   const auto wrong = [&](const std::string& why) {

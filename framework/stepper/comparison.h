@@ -34,7 +34,7 @@ struct Comparison {
   std::string title;
   double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken
   double particle_steps = 0;            // of the real bed, simulated exactly
-  double particle_steps_per_s = 0, gas_step_s = 0;   // measured on this machine, with the case's own law
+  double particle_steps_per_s = 0, gas_step_s = 0, exchange_s = 0;   // measured on this machine, with the case's own law: see prediction.h
   std::vector<Strategy> strategies;
   std::vector<std::string> left_out;    // laws that cannot be put into words without the user
 };
@@ -52,6 +52,13 @@ LawChoice law_from_text(const std::string& text);
 /// The case's own law, then every law of the catalogue that has stated defaults: a bed of a quarter the size where a law
 /// shrinks the bed, particles twice as large in it where a law leaves that free. What has not goes to `left_out`.
 std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::string>& left_out);
+
+/// What the scaling law of a case keeps and gives up, its own drag law asked for u_mf and u_t.
+struct ScalingAudit {
+  std::vector<GroupComparison> groups;
+  std::vector<std::string> warnings;
+};
+ScalingAudit audit_of(const Assembly& assembly, const Catalogue& catalogue, double gas_fraction_at_minimum);
 
 /// The laws side by side. A law that has no bed for this case tells so in its row, unless `laws` were asked for: then it
 /// throws. Throws InputError for a case without particles.

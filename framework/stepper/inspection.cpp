@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "coupling/effect_pass.h"
+#include "particles/contact_effects.h"
 #include "particles/engine.h"
 #include "scene/material_pairs.h"
 #include "scene/units.h"
@@ -50,25 +54,78 @@ CalibrationBed calibration_bed(const Assembly& assembly, int particles_per_edge)
   return bed;
 }
 
-double calibrated_particle_steps_per_s(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_particles_per_edge = 16;
-  constexpr int k_warm_up = 20, k_sub_steps = 100;
-  CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
-  Engine engine(bed.particles, bed.scene, assembly.contact, {.dt = steps.dt, .gravity = assembly.model.gravity});
-  engine.advance(k_warm_up);
-  const auto start = std::chrono::steady_clock::now();
-  engine.advance(k_sub_steps);
-  return static_cast<double>(bed.particles.size()) * k_sub_steps / seconds_since(start);
+/// A price needs some number where the case must give one.
+void give_typical_values(ModelChoice& effect, const similitude_descriptor& model) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const similitude_parameter& row = model.parameters[i];
+    if (row.required != 0 && std::isnan(effect.parameters[i].real)) effect.parameters[i].real = row.typical_maximum;
+  }
 }
 
-/// Seconds of one gas step with the bed's resistance left out: the gas alone, inlets at full ramp.
-double calibrated_gas_step(const Assembly& assembly, const TimeSteps& steps) {
-  constexpr int k_warm_up = 2, k_steps = 4;
-  Simulation simulation(assembly, steps, ParticleStore(store_fields(assembly)), [](const std::string&) {});
-  for (int i = 0; i < k_warm_up; ++i) simulation.step();
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < k_steps; ++i) simulation.step();
-  return seconds_since(start) / k_steps;
+/// Wall seconds that an effect adds to the whole run: its contact pass by the difference of sub-steps with and without it, its
+/// particle pass by the clock, both on the calibration bed and the better of a few repetitions.
+double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Catalogue& catalogue, const std::string& id) {
+  constexpr int k_particles_per_edge = 12;
+  constexpr int k_warm_up = 10, k_sub_steps = 25, k_repetitions = 4;
+  RealScene with = scene;
+  with.models.effects_auto = false;
+  std::erase_if(with.models.effects, [&](const ModelChoice& effect) { return effect.id != id; });
+  if (with.models.effects.empty()) with.models.effects.push_back(effect_with_defaults(*catalogue.find("effect", id)));
+  for (ModelChoice& choice : with.models.effects) give_typical_values(choice, *catalogue.find("effect", id)->descriptor);
+  const Assembly assembly = assemble(with, catalogue);
+  const EffectModel& effect = assembly.effects.front();
+  CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
+  const double scale = static_cast<double>(expected_particles(assembly.model)) / static_cast<double>(bed.particles.size());
+  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt());
+  double price = 0;
+  if (effect.functions().contacts) {
+    const EngineOptions options{.dt = steps.dt, .gravity = assembly.model.gravity};
+    const auto best_of = [&](std::span<const EffectModel> effects) {
+      CalibrationBed own = calibration_bed(assembly, k_particles_per_edge);
+      Engine engine(own.particles, own.scene, assembly.contact, options, effects);
+      engine.advance(k_warm_up);
+      double best = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < k_repetitions; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        engine.advance(k_sub_steps);
+        best = std::min(best, seconds_since(start) / k_sub_steps);
+      }
+      return best;
+    };
+    price += std::max(0.0, best_of(assembly.effects) - best_of({})) * scale * gas_steps * static_cast<double>(steps.sub_steps);
+  }
+  if (effect.functions().particles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) bed.scene.cell[axis] = bed.scene.size[axis] / 4;
+    const Grid grid(bed.scene);
+    std::unique_ptr<GasMotion> motion;
+    if (assembly.effect_reads != 0) motion = std::make_unique<GasMotion>(bed.scene, grid, assembly.coupled(), assembly.effect_reads);
+    EffectPass pass(bed.scene, grid, effect, motion.get());
+    const Column<double> fraction(grid.cell_count(), 0.5);
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < k_repetitions; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      pass.apply(bed.particles, fraction, steps.gas_dt());
+      best = std::min(best, seconds_since(start));
+    }
+    price += best * scale * gas_steps;
+  }
+  return price;
+}
+
+/// "effect.magnus_lift": the effects that want something, for the reason of a field.
+template <class Wants>
+std::string effects_that(const Assembly& assembly, Wants&& wants) {
+  std::string names;
+  for (const EffectModel& effect : assembly.effects) {
+    if (wants(needs_of(effect))) names += (names.empty() ? "effect." : ", effect.") + std::string(effect.descriptor().id);
+  }
+  return names;
+}
+std::string reader(const Assembly& assembly, unsigned what) {
+  return effects_that(assembly, [what](const similitude_effect_needs& needs) { return (needs.reads & what) != 0; });
+}
+std::string adder(const Assembly& assembly, unsigned what) {
+  return effects_that(assembly, [what](const similitude_effect_needs& needs) { return (needs.adds & what) != 0; });
 }
 
 /// A contact parameter's value as a case would give it; empty if it is not given.
@@ -79,6 +136,35 @@ std::string written(const Assembly& assembly, const ModelChoice& set, std::size_
   if (row.type == SIMILITUDE_FLAG) return parameter.real != 0 ? "true" : "false";
   if (std::isnan(parameter.real)) return "";
   return format_quantity(parameter.real, row.unit != nullptr && *row.unit != 0 ? row.unit : "1");
+}
+
+/// Fields of what effects carry, as allocated in every run that carries it.
+void add_scalar_fields(const Assembly& assembly, std::size_t particles, std::vector<FieldUse>& fields) {
+  const std::size_t cells = assembly.grid->cell_count();
+  const auto who = [&](bool gas, std::size_t slot) {
+    std::string names;
+    for (const EffectQuantities& effect : assembly.scalars.effects) {
+      for (std::size_t q = 0; q < effect.kind.size(); ++q) {
+        if (effect.slot[q] != static_cast<int>(slot) || (effect.kind[q] == SIMILITUDE_GAS_SCALAR) != gas) continue;
+        names += (names.empty() ? "effect." : ", effect.") + std::string(effect.effect->descriptor().id);
+      }
+    }
+    return names;
+  };
+  for (std::size_t s = 0; s < assembly.scalars.particles.size(); ++s) {
+    fields.push_back({"particle." + assembly.scalars.particles[s].name, sizeof(double), particles, who(false, s)});
+  }
+  for (std::size_t s = 0; s < assembly.scalars.gas.size(); ++s) {
+    fields.push_back({"cell." + assembly.scalars.gas[s].name, sizeof(double), cells, who(true, s)});
+    fields.push_back({"cell." + assembly.scalars.gas[s].name + "_exchange", 3 * sizeof(double), cells, who(true, s)});
+    fields.push_back({"particle." + assembly.scalars.gas[s].name + "_exchange", 2 * sizeof(double), particles, who(true, s)});
+  }
+  if (!assembly.scalars.gas.empty()) fields.push_back({"cell.flux", 3 * sizeof(double), cells, "what the gas carries"});
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().cells == nullptr) continue;
+    fields.push_back({"cell.added_viscosity", sizeof(double), cells, std::string("effect.") + effect.descriptor().id});
+    break;
+  }
 }
 
 }  // namespace
@@ -107,12 +193,29 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
       {"particle.drag_impulse", sizeof(Row), particles, "exchange of momentum with the gas"},
       {"pair.list", sizeof(std::uint32_t), pairs, "neighbours"},
   };
-  if (assembly.contact_needs.rotation != 0) {
-    fields.push_back({"particle.angular_velocity_inertia", sizeof(Row), particles, contact + " needs rotation"});
-    fields.push_back({"particle.torque", sizeof(Row), particles, contact + " needs rotation"});
+  if (assembly.rotation()) {
+    const std::string turns = assembly.contact_needs.rotation != 0 ? contact + " needs rotation" : reader(assembly, SIMILITUDE_READS_ANGULAR_VELOCITY);
+    fields.push_back({"particle.angular_velocity_inertia", sizeof(Row), particles, turns});
+    fields.push_back({"particle.torque", sizeof(Row), particles, turns});
   }
   for (std::uint32_t slot = 0; slot < assembly.contact_needs.history_count; ++slot) {
     fields.push_back({std::string("pair.") + assembly.contact_needs.history_name[slot], sizeof(double), pairs, contact});
+  }
+  for (const EffectModel& effect : assembly.effects) {
+    const std::string name = std::string("effect.") + effect.descriptor().id;
+    const similitude_effect_needs needs = needs_of(effect);
+    for (std::uint32_t slot = 0; slot < needs.history_count; ++slot) {
+      fields.push_back({std::string("pair.") + needs.history_name[slot], sizeof(double), pairs, name});
+    }
+  }
+  if (assembly.added_mass()) fields.push_back({"particle.added_mass", sizeof(double), particles, adder(assembly, SIMILITUDE_ADDS_ADDED_MASS)});
+  if ((assembly.effect_reads & SIMILITUDE_READS_GAS_VORTICITY) != 0) {
+    fields.push_back({"cell.vorticity", sizeof(Row), cells, reader(assembly, SIMILITUDE_READS_GAS_VORTICITY)});
+  }
+  if ((assembly.effect_reads & SIMILITUDE_READS_GAS_ACCELERATION) != 0) {
+    const std::string name = reader(assembly, SIMILITUDE_READS_GAS_ACCELERATION);
+    fields.push_back({"cell.acceleration", sizeof(Row), cells, name});
+    fields.push_back({"cell.velocity_before", 3 * sizeof(double), cells, name});
   }
   fields.push_back({"cell.velocity", 3 * sizeof(double), cells, fluid});
   fields.push_back({"cell.pressure", sizeof(double), cells, fluid});
@@ -122,6 +225,7 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
     fields.push_back({"cell.exchange", 4 * sizeof(double), cells, "implicit drag"});
     fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
   }
+  add_scalar_fields(assembly, particles, fields);
   return fields;
 }
 
@@ -140,34 +244,19 @@ std::vector<PairUse> pair_uses(const Assembly& assembly) {
   return uses;
 }
 
-std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue) {
-  std::vector<EffectVerdict> verdicts;
-  const similitude_bed bed = describe(assembly.real);
-  for (const std::string& id : catalogue.ids("effect")) {
-    const PluginEntry& entry = *catalogue.find("effect", id);
-    const similitude_relevance relevance = relevance_of(entry, bed);
-    const std::string group = relevance.group != nullptr ? relevance.group : "";
-    verdicts.push_back({.id = id,
-                        .group = group,
-                        .source = relevance.source != nullptr ? relevance.source : "",
-                        .because = fmt::format("{} = {:.2g}, threshold {:.2g}", group, relevance.value, relevance.threshold),
-                        .value = relevance.value,
-                        .threshold = relevance.threshold,
-                        .verdict = relevance.verdict});
+std::vector<EffectVerdict> effect_verdicts(const RealScene& scene, const Assembly& assembly, const TimeSteps& steps,
+                                           const Catalogue& catalogue) {
+  std::vector<EffectVerdict> verdicts = judge_effects(scene, catalogue, nullptr);
+  for (EffectVerdict& verdict : verdicts) {
+    verdict.chosen = std::ranges::any_of(assembly.effects, [&](const EffectModel& effect) { return effect.descriptor().id == verdict.id; });
+    verdict.predicted_wall_s = std::numeric_limits<double>::quiet_NaN();
+    if (assembly.model.particles.empty()) continue;
+    try {
+      verdict.predicted_wall_s = calibrated_price(scene, steps, catalogue, verdict.id);
+    } catch (const std::exception&) {   // it cannot be used in this case as it stands, and then it has no price
+    }
   }
   return verdicts;
-}
-
-PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
-  PredictedCost cost;
-  cost.particles = expected_particles(assembly.model);
-  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt());
-  cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);
-  if (!assembly.model.particles.empty()) cost.particle_steps_per_s = calibrated_particle_steps_per_s(assembly, steps);
-  cost.gas_step_s = calibrated_gas_step(assembly, steps);
-  cost.wall_s = gas_steps * cost.gas_step_s;
-  if (cost.particle_steps_per_s > 0) cost.wall_s += cost.particle_steps / cost.particle_steps_per_s;
-  return cost;
 }
 
 }  // namespace similitude

@@ -1,5 +1,5 @@
 #pragma once
-/// What a case will do, said before it does it: pipeline, fields with their bytes and reasons, effects, cost.
+/// What a case will do, said before it does it: pipeline, fields with their bytes and reasons, effects. What it costs: prediction.h.
 
 #include <cstdint>
 #include <string>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stepper/assembly.h"
+#include "stepper/effects.h"
 #include "stepper/time_steps.h"
 
 namespace similitude {
@@ -18,25 +19,10 @@ struct FieldUse {
   std::string because;
 };
 
-struct EffectVerdict {
-  std::string id, group, source, because;
-  double value = 0, threshold = 0;
-  int verdict = -1;   // 1 needed, 0 negligible, -1 cannot tell
-};
-
 /// What the contact parameters of a pair of materials are where pairs differ, as they would be written; of the real bed.
 struct PairUse {
   std::string pair;
   std::vector<std::pair<std::string, std::string>> parameters;   // name, value
-};
-
-/// In real-bed terms, from a short calibration on this machine with the case's own models.
-struct PredictedCost {
-  std::int64_t particles = 0;
-  double particle_steps = 0;
-  double wall_s = 0;
-  double particle_steps_per_s = 0;   // of the calibration
-  double gas_step_s = 0;             // of the calibration
 };
 
 /// Simulated particles that the scene asks for; from the bed's height where it gives no count.
@@ -45,9 +31,9 @@ std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeStep
 std::vector<FieldUse> field_uses(const Assembly& assembly);
 /// Empty if one set of parameters holds for all contacts.
 std::vector<PairUse> pair_uses(const Assembly& assembly);
-/// Every effect in the catalogue, asked for its relevance in the real bed.
-std::vector<EffectVerdict> effect_verdicts(const Assembly& assembly, const Catalogue& catalogue);
-/// Runs a few hundred DEM sub-steps of a small packing and a few gas steps: about a second.
-PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps);
+/// Every effect in the catalogue, asked for its relevance in the real bed, with what it adds or would add to the run's wall time
+/// by a short calibration of its passes on this machine.
+std::vector<EffectVerdict> effect_verdicts(const RealScene& scene, const Assembly& assembly, const TimeSteps& steps,
+                                           const Catalogue& catalogue);
 
 }  // namespace similitude

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "output/audit_file.h"
 #include "output/checkpoint_file.h"
 #include "output/manifest.h"
 #include "output/progress.h"
@@ -18,6 +19,9 @@
 #include "particles/errors.h"
 #include "stepper/bed.h"
 #include "stepper/checkpoints.h"
+#include "stepper/comparison.h"
+#include "stepper/effects.h"
+#include "stepper/occurred.h"
 #include "stepper/resume.h"
 #include "stepper/run_outputs.h"
 #include "stepper/simulation.h"
@@ -119,6 +123,7 @@ class CaseRun {
         resolved_case_(std::move(resolved_case)),
         checkpoints_(checkpoints),
         outputs_(earlier != nullptr ? RunOutputs(directory, assembly, earlier->outputs, simulation.time()) : RunOutputs(directory, assembly)),
+        occurred_(assembly),
         particle_steps_before_(earlier != nullptr ? simulation.engine().report().particle_steps : 0) {
     if (earlier != nullptr) {
       wall_before_ = earlier->wall_s;
@@ -137,6 +142,7 @@ class CaseRun {
         keep_a_copy();
         simulation_.step();
         outputs_.observe(simulation_);
+        look_at_what_occurs();
         progress.update(progress_state());
       }
     } catch (const SimulationError& error) {
@@ -154,9 +160,17 @@ class CaseRun {
   }
 
   const RunOutputs& outputs() const { return outputs_; }
+  const Occurred& occurred() const { return occurred_; }
   const std::string& hash() const { return manifest_.state_hash; }
 
  private:
+  /// For effects alone: a case that asks for none pays nothing.
+  void look_at_what_occurs() {
+    if (!asks_for_effects(assembly_.real) || simulation_.time() < next_look_) return;
+    occurred_.observe(simulation_);
+    next_look_ = simulation_.time() + assembly_.model.output.monitor_every;
+  }
+
   double wall() const {
     return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -241,6 +255,8 @@ class CaseRun {
   std::string resolved_case_;
   Checkpoints& checkpoints_;
   RunOutputs outputs_;
+  Occurred occurred_;
+  double next_look_ = 0;                    // [s]
   Snapshots snapshots_;
   std::uint64_t particle_steps_before_;
   double wall_before_ = 0;                  // [s], of earlier starts
@@ -248,11 +264,19 @@ class CaseRun {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::filesystem::path folder_of(const CaseFile& case_file, const RunOptions& options) {
-  return options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
+/// Without particles under gravity there is nothing that a scaling law could keep.
+void write_audit_of(const OutputDirectory& directory, const Assembly& assembly, const Catalogue& catalogue) {
+  const similitude_bed bed = describe(assembly.real);
+  if (assembly.real.particles.empty() || !(bed.gravity > 0) || !(bed.particle_count > 0)) return;
+  const ScalingAudit audit = audit_of(assembly, catalogue, gas_fraction_at_minimum(assembly.real));
+  write_audit(directory, assembly.scaling.descriptor().id, audit.groups, audit.warnings);
 }
 
 }  // namespace
+
+std::filesystem::path results_folder(const CaseFile& case_file, const RunOptions& options) {
+  return options.folder.empty() ? std::filesystem::path("results") / case_file.scene.name : options.folder;
+}
 
 int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   for (const std::string& warning : case_file.warnings) warn(warning);
@@ -263,7 +287,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);
-  const std::filesystem::path folder = folder_of(case_file, options);
+  const std::filesystem::path folder = results_folder(case_file, options);
   const OutputDirectory directory =
       options.resume ? OutputDirectory::of_earlier_run(folder) : OutputDirectory(folder, options.force);
 
@@ -306,6 +330,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   out.flush();
 
   write_view_script(directory, assembly.real);
+  write_audit_of(directory, assembly, catalogue);
   Checkpoints checkpoints(directory, assembly.model.output.checkpoint_every, run, earlier ? earlier->files : std::deque<std::filesystem::path>{},
                           warn);
   CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), case_file.resolved,
@@ -322,6 +347,13 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
     return k_exit_of_signal + signal_number;
   }
   if (!case_run.outputs().profiles().settings().heights.empty()) out << "\n" << profile_table(case_run.outputs().profiles());
+  if (asks_for_effects(case_file.scene)) {
+    const similitude_occurred seen = case_run.occurred().ranges();
+    const std::vector<EffectVerdict> before = judge_effects(assembly.real, catalogue, nullptr);
+    for (const std::string& thought : second_thoughts(before, judge_effects(assembly.real, catalogue, &seen))) {
+      out << "\neffects: " << thought << "\n";
+    }
+  }
   out << "\n" << books(simulation.balances());
   out << fmt::format("results in {}\n{}state {}\n", directory.path().string(), go_on, case_run.hash());
   return 0;

@@ -20,6 +20,9 @@ struct RunOptions {
   std::string command;                    // as typed, for the manifest
 };
 
+/// Where `run_case` writes.
+std::filesystem::path results_folder(const CaseFile& case_file, const RunOptions& options);
+
 /// Runs the case, talking to `out` (results) and to standard error (progress, warnings). Returns the exit status: 0 done,
 /// 130/143 interrupted. A guard's SimulationError is written into the manifest and thrown on. Throws InputError, PluginError,
 /// OutputError before the run starts, leaving no half-written folder.

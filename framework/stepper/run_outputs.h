@@ -3,14 +3,17 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "output/directory.h"
+#include "output/front_view.h"
 #include "output/manifest.h"
 #include "output/monitors.h"
 #include "output/probes.h"
 #include "output/profiles.h"
 #include "output/run_state.h"
+#include "output/scalar_file.h"
 #include "output/vtk_writer.h"
 #include "stepper/simulation.h"
 
@@ -43,6 +46,9 @@ class RunOutputs {
   /// After the last step: the last frame if it is not there yet, and profiles.csv.
   void finish(const Simulation& simulation);
 
+  /// [s] that everything this run writes will take, from writing each kind once now. For a folder that is thrown away.
+  double seconds_to_the_end(const Simulation& simulation);
+
   const ProfileSampler& profiles() const { return profiles_; }
   /// Does the last frame show this instant [s, simulated]?
   bool shows(double time) const { return draws() && last_frame_time_ == time; }
@@ -51,8 +57,9 @@ class RunOutputs {
  private:
   void write_frame(const Simulation& simulation);
   void write_monitors(const Simulation& simulation);
+  void write_scalars(const Simulation& simulation);
 
-  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state);
+  RunOutputs(const OutputDirectory& directory, const Assembly& assembly, const OutputsState* state, std::optional<double> time);
   bool draws() const { return assembly_.model.output.vtk_every > 0; }
 
   const OutputDirectory& directory_;
@@ -61,8 +68,10 @@ class RunOutputs {
   VtkWriter vtk_;
   MonitorFile monitors_;
   std::optional<ProbeFile> probes_;
+  std::optional<ScalarFile> scalars_;
   ProfileSampler profiles_;
-  Schedule vtk_schedule_, monitor_schedule_, profile_schedule_;
+  FrontView front_view_;
+  Schedule front_view_schedule_, vtk_schedule_, monitor_schedule_, profile_schedule_;
   double last_frame_time_ = -1;
   double largest_overlap_ = 0, largest_overlap_of_run_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "stepper/simulation.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <stdexcept>
@@ -34,16 +35,37 @@ Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, Particl
   coupling_ = std::make_unique<Coupling>(assembly.model, *assembly.grid, assembly.drag, assembly.coupled(), assembly.drag_form());
   coupling_->start(particles_);
 
+  set_up_effects();
   const similitude_gas_step fields = next_gas_step();
   similitude_status status{};
   assembly.fluid.functions().initialise(assembly.fluid.instance(), &assembly.grid->table(), &fields, &status);
   guards_.check_gas(gas_report_, status, 0);
 
-  for (const EffectModel& effect : assembly.effects) effects_.emplace_back(assembly.model, *assembly.grid, effect);
   engine_ = std::make_unique<Engine>(particles_, assembly.model, assembly.contact,
-                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity});
+                                     EngineOptions{.dt = steps.dt, .gravity = assembly.model.gravity}, assembly.effects);
   accounts_ = Accounts(particles_, gas_mass());
   assemble_stages();
+}
+
+/// Passes and fields that the case's effects ask for, and nothing else.
+void Simulation::set_up_effects() {
+  const Grid& grid = *assembly_.grid;
+  if ((assembly_.effect_reads & (SIMILITUDE_READS_GAS_VORTICITY | SIMILITUDE_READS_GAS_ACCELERATION)) != 0) {
+    gas_motion_ = std::make_unique<GasMotion>(assembly_.model, grid, assembly_.coupled(), assembly_.effect_reads);
+  }
+  for (const EffectModel& effect : assembly_.effects) {
+    if (effect.functions().particles != nullptr) effects_.emplace_back(assembly_.model, grid, effect, gas_motion_.get());
+    if (effect.functions().cells != nullptr) cell_effects_.emplace_back(assembly_.model, grid, effect);
+  }
+  if (!cell_effects_.empty()) gas_.added_viscosity.assign(grid.cell_count(), 0);
+  const ScalarPlan& plan = assembly_.scalars;
+  if (plan.empty()) return;
+  if (!plan.gas.empty() && assembly_.coupled()) {
+    for (int axis = 0; axis < 3; ++axis) gas_.flux[static_cast<std::size_t>(axis)].assign(grid.face_count(axis), 0);
+  }
+  scalars_ = std::make_unique<ScalarExchange>(assembly_.model, grid, plan, assembly_.coupled());
+  scalars_->start(particles_, gas_, coupling_->fields().gas_fraction);
+  if (ContactFlows::wanted(plan)) contact_flows_ = std::make_unique<ContactFlows>(assembly_.model, plan);
 }
 
 /// The step to come. A given gas finds eps = 1 and no exchange.
@@ -82,13 +104,44 @@ void Simulation::assemble_stages() {
                          guards_.check_gas_fraction(smallest, cell_centre(*assembly_.grid, cell), time());
                        }});
   }
+  for (CellPass& effect : cell_effects_) {
+    const bool first = &effect == &cell_effects_.front();
+    stages_.push_back({std::string("effect: ") + effect.id(), [this, first, &effect] {
+                         if (first) std::fill(gas_.added_viscosity.begin(), gas_.added_viscosity.end(), 0.0);
+                         effect.apply(gas_, coupling_->fields().gas_fraction, time());
+                       }});
+  }
+  if (gas_motion_ && gas_motion_->acceleration()) {
+    stages_.push_back({"effects: gas before its step", [this] { gas_motion_->remember(gas_); }});
+  }
   stages_.push_back({std::string("fluid: ") + assembly_.fluid.descriptor().id, [this] { advance_gas(); }});
   stages_.push_back({"interpolate", [this, gas_dt] { coupling_->interpolate(particles_, gas_, gas_dt); }});
+  if (gas_motion_) {
+    stages_.push_back({std::string("effects: ") + (gas_motion_->vorticity() ? "vorticity" : "") +
+                           (gas_motion_->vorticity() && gas_motion_->acceleration() ? " and " : "") +
+                           (gas_motion_->acceleration() ? "acceleration" : "") + " of the gas",
+                       [this, gas_dt] { gas_motion_->update(gas_, time() + gas_dt, gas_dt); }});
+  }
+  if (particles_.fields.added_mass) {
+    stages_.push_back({"effects: no added mass yet", [this] { std::ranges::fill(particles_.added_mass, 0.0); }});
+  }
   for (EffectPass& effect : effects_) {
     stages_.push_back({std::string("effect: ") + effect.id(),
                        [this, gas_dt, &effect] { effect.apply(particles_, coupling_->fields().gas_fraction, gas_dt); }});
   }
+  if (scalars_) {
+    std::string names;
+    for (const NamedColumn& scalar : gas_.scalars) names += ", gas " + scalar.name;
+    for (const NamedColumn& scalar : particles_.scalars) names += ", " + scalar.name;
+    stages_.push_back({"scalars: " + names.substr(2), [this, gas_dt] { scalars_->advance(particles_, gas_, coupling_->fields(), gas_dt); }});
+  }
   stages_.push_back({"particles", [this] { engine_->advance(steps_.sub_steps); }});
+  if (contact_flows_) {
+    stages_.push_back({"scalars: through contacts", [this, gas_dt] {
+                         engine_->touching(touching_);
+                         contact_flows_->apply(particles_, touching_, gas_dt);
+                       }});
+  }
   if (assembly_.coupled()) {
     stages_.push_back({"settle accounts", [this] { coupling_->settle_accounts(particles_); }});
   }
@@ -121,6 +174,8 @@ void Simulation::save(SimulationState& state) const {
     functions.save_state(assembly_.fluid.instance(), state.fluid.data());
   }
   state.accounts = accounts_.state();
+  state.scalar_totals = scalars_ ? scalars_->totals() : std::vector<ScalarTotals>();
+  state.scalars_from_walls = contact_flows_ ? contact_flows_->from_walls() : std::vector<double>();
   state.warnings_given = guards_.warnings_given();
 }
 
@@ -132,10 +187,18 @@ void Simulation::restore(const SimulationState& state) {
   if (state.particles.fields.rotation != particles_.fields.rotation || state.particles.fields.coupling != particles_.fields.coupling) {
     throw std::invalid_argument("the particles have other columns");
   }
+  if (state.particles.scalars.size() != particles_.scalars.size() || state.gas.scalars.size() != gas_.scalars.size()) {
+    throw std::invalid_argument("other scalars are carried");
+  }
   steps_done_ = state.steps_done;
   particles_.copy_rows(state.particles);
   engine_->restore(state.engine);
-  gas_ = state.gas;
+  gas_.velocity = state.gas.velocity;
+  gas_.pressure = state.gas.pressure;
+  gas_.stress_force = state.gas.stress_force;
+  for (std::size_t s = 0; s < gas_.scalars.size(); ++s) gas_.scalars[s].value = state.gas.scalars[s].value;
+  if (scalars_) scalars_->set_totals(state.scalar_totals);
+  if (contact_flows_) contact_flows_->set_from_walls(state.scalars_from_walls);
   coupling_->restore(state.coupling);
   gas_report_ = state.gas_report;
   gas_report_.struct_size = sizeof(gas_report_);

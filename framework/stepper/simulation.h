@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "coupling/cell_pass.h"
+#include "coupling/contact_flows.h"
 #include "coupling/coupling.h"
 #include "coupling/effect_pass.h"
+#include "coupling/scalar_exchange.h"
 #include "output/accounts.h"
 #include "output/gas_boundary.h"
 #include "output/run_state.h"
@@ -55,6 +58,9 @@ class Simulation {
   const Engine& engine() const { return *engine_; }
   const Coupling& coupling() const { return *coupling_; }
   const Accounts& accounts() const { return accounts_; }
+  /// What effects carry; null without such.
+  const ScalarExchange* scalars() const { return scalars_.get(); }
+  const ContactFlows* contact_flows() const { return contact_flows_.get(); }
   double gas_mass() const;   // [kg], of all cells
   /// How far the books are off; `step()` keeps them.
   Balances balances() const;
@@ -68,6 +74,7 @@ class Simulation {
   std::vector<std::string> pipeline() const;
 
  private:
+  void set_up_effects();
   void assemble_stages();
   similitude_gas_step next_gas_step();
   void advance_gas();
@@ -78,7 +85,12 @@ class Simulation {
   ParticleStore particles_;
   GasFields gas_;
   std::unique_ptr<Coupling> coupling_;
+  std::unique_ptr<GasMotion> gas_motion_;   // null: no effect reads it
   std::vector<EffectPass> effects_;
+  std::vector<CellPass> cell_effects_;
+  std::unique_ptr<ScalarExchange> scalars_;      // null without scalars
+  std::unique_ptr<ContactFlows> contact_flows_;  // null if nothing flows through contacts
+  TouchingContacts touching_;
   std::unique_ptr<Engine> engine_;
   similitude_gas_report gas_report_{};
   GasBoundary boundary_;

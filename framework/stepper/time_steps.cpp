@@ -71,11 +71,28 @@ TimeStepLimit contact_limit(const Assembly& assembly) {
   return limit;
 }
 
+/// Of effects whose contact pass is explicit and stiff.
+void effect_limits(const Assembly& assembly, std::vector<TimeStepLimit>& limits) {
+  constexpr double k_advised_share = 0.5;   // of the hard limit, as for the gas's explicit viscosity
+  const double speed = free_fall_speed(assembly.model);
+  for (const EffectModel& effect : assembly.effects) {
+    if (!effect.functions().contacts) continue;
+    double hard = k_never;
+    for (const Impact& impact : impacts_of(assembly)) {
+      hard = std::min(hard, largest_stable_step_of(effect, {0, impact.effective_mass, impact.effective_radius, speed}));
+    }
+    if (!std::isfinite(hard)) continue;
+    limits.push_back({std::string("effect: ") + effect.descriptor().id, "explicit step of its contact pass", StepKind::particles,
+                      k_advised_share * hard, hard, false});
+  }
+}
+
 std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
   const ModelScene& scene = assembly.model;
   std::vector<TimeStepLimit> limits;
   if (!scene.particles.empty()) {
     limits.push_back(contact_limit(assembly));
+    effect_limits(assembly, limits);
     double diameter = k_never;
     for (const auto& particles : scene.particles) diameter = std::min(diameter, particles.diameter);
     const double speed = free_fall_speed(scene);

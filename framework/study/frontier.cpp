@@ -123,6 +123,7 @@ std::string advice(const std::vector<Contender>& contenders, const std::string& 
 
 std::string percent_text(const Estimate& error) {
   const std::string bound = error.lower_bound ? "at least " : "";
+  if (error.low == error.high) return two_digits(100 * error.value) + " %";
   if (error.low <= 0 && error.high > 0) return "0 to " + bound + two_digits(100 * error.high) + " %";
   return two_digits(100 * error.value) + " ± " + bound + two_digits(100 * error.half_width()) + " %";
 }

@@ -26,6 +26,10 @@ constexpr std::array k_metrics{
            "standard deviation of the bed height in time"},
     Metric{"dominant_frequency", MetricKind::frequency, "pressure_drop [Pa]", "Hz",
            "highest peak in the spectrum of the pressure drop"},
+    Metric{"last_pressure_drop", MetricKind::last, "pressure_drop [Pa]", "Pa",
+           "pressure drop at the end, taken as free of noise: for a gas at rest with its bed"},
+    Metric{"last_kinetic_energy", MetricKind::last, "kinetic_energy [J]", "J",
+           "kinetic energy of the solids at the end, taken as free of noise: for a single impact"},
     Metric{"momentum_residual", MetricKind::residual, "momentum_residual [1]", "1",
            "largest imbalance of the particles' momentum in the run"},
     Metric{"energy_residual", MetricKind::residual, "energy_residual [1]", "1",
@@ -48,6 +52,8 @@ Estimate value_of(const Metric& metric, const Observations& seen) {
   switch (metric.kind) {
     case MetricKind::mean:
       return mean_of(found->second);
+    case MetricKind::last:
+      return exactly(found->second.values.back());
     case MetricKind::fluctuation:
       return fluctuation_of(found->second);
     default:

@@ -13,7 +13,7 @@ namespace similitude {
 
 struct Observations;
 
-enum class MetricKind { profile_l2, profile_maximum, mean, fluctuation, frequency, residual };
+enum class MetricKind { profile_l2, profile_maximum, mean, fluctuation, frequency, last, residual };
 
 struct Metric {
   const char* name;

@@ -7,7 +7,7 @@
 
 #include "scene/messages.h"
 #include "scene/section.h"
-#include "study/csv_table.h"
+#include "output/csv_table.h"
 #include "study/metrics.h"
 
 namespace similitude {

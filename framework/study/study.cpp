@@ -1,6 +1,7 @@
 #include "study/study.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,10 @@
 
 #include "output/number.h"
 #include "output/whole_file.h"
+#include "scene/case_file.h"
 #include "scene/messages.h"
 #include "scene/units.h"
+#include "stepper/prediction.h"
 #include "stepper/stop_signal.h"
 #include "study/child_run.h"
 #include "study/observed_order.h"
@@ -34,11 +37,35 @@ constexpr const char* k_leg_case = "reference_case.json";
 struct Cost {
   std::vector<double> repeats;  // [s]
   double peak_memory_bytes = Estimate::k_unknown;
+  Prediction predicted;
 };
+
+json as_json(const Prediction& predicted) {
+  if (!predicted.known()) return {{"gap", predicted.gap}};
+  json page{{"wall_s", predicted.wall_s}, {"particle_steps", predicted.particle_steps}, {"stages", json::array()}};
+  for (const RunTiming::Stage& stage : predicted.stages) page["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  return page;
+}
+
+Prediction as_prediction(const json& page) {
+  Prediction predicted;
+  if (page.contains("gap")) {
+    predicted.gap = page["gap"].get<std::string>();
+  } else if (page.contains("wall_s")) {
+    predicted.gap = "";
+    predicted.wall_s = page["wall_s"].get<double>();
+    predicted.particle_steps = page["particle_steps"].get<double>();
+    for (const json& stage : page["stages"]) predicted.stages.push_back({stage["name"].get<std::string>(), stage["seconds"].get<double>()});
+  }
+  return predicted;
+}
 
 void write_cost(const fs::path& folder, const Cost& cost) {
   write_whole_file(folder / k_cost_file,
-                   json{{"wall_s", cost.repeats}, {"peak_memory_bytes", cost.peak_memory_bytes}}.dump(2) + "\n");
+                   json{{"wall_s", cost.repeats},
+                        {"peak_memory_bytes", cost.peak_memory_bytes},
+                        {"predicted", as_json(cost.predicted)}}
+                           .dump(2) + "\n");
 }
 
 Cost read_cost(const fs::path& folder) {
@@ -49,6 +76,7 @@ Cost read_cost(const fs::path& folder) {
   cost.repeats = page.value("wall_s", std::vector<double>{});
   if (page.contains("peak_memory_bytes") && page["peak_memory_bytes"].is_number())
     cost.peak_memory_bytes = page["peak_memory_bytes"].get<double>();
+  if (page.contains("predicted")) cost.predicted = as_prediction(page["predicted"]);
   return cost;
 }
 
@@ -115,10 +143,30 @@ void repeat_if_short(const StudyPlan& plan, const PlannedCase& planned, const fs
   fs::remove_all(again, ignored);
 }
 
+/// Settles the bed for the run as well, where it is small or kept already.
+Prediction predict(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue) {
+  omp_set_num_threads(plan.study.threads > 0 ? plan.study.threads : omp_get_num_procs());
+  Prediction predicted;
+  try {
+    const CaseFile file = read_case(plan.study.base, catalogue, planned.overrides);
+    const Assembly assembly = assemble(file.scene, catalogue);
+    const PredictedCost cost = predict_cost(assembly, choose_time_steps(assembly));
+    predicted.gap = cost.gap;
+    predicted.wall_s = cost.wall_s;
+    predicted.particle_steps = cost.particle_steps;
+    for (const StageTime& stage : cost.stages) predicted.stages.push_back({stage.name, stage.seconds});
+  } catch (const std::exception& error) {  // the run will say it in its place
+    predicted.gap = error.what();
+  }
+  return predicted;
+}
+
 /// A line that says how it ended.
-std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const fs::path& folder) {
+std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue, const fs::path& folder) {
   if (finished(folder, planned.resolved)) return "was done before";
   make_folder(folder);
+  const Prediction predicted = predict(plan, planned, catalogue);
+  if (StopSignal::received() != 0) return "interrupted";
   std::error_code ignored;
   fs::remove(folder / k_cost_file, ignored);
   const bool resumed = can_be_resumed(folder, planned.resolved);
@@ -136,7 +184,7 @@ std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const fs:
     return fmt::format("failed with exit status {}{}{}", outcome.exit_status,
                        error.empty() ? ", see " + (folder / k_log_file).string() : ": ", error);
   }
-  Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes};
+  Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes, .predicted = predicted};
   repeat_if_short(plan, planned, folder, cost);
   if (StopSignal::received() != 0) return "interrupted";
   write_cost(folder, cost);
@@ -166,7 +214,7 @@ std::string run_leg(const StudyPlan& plan, const fs::path& folder) {
   const ChildOutcome outcome = run_child(arguments, leg / k_log_file);
   if (outcome.exit_status != 0)
     return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
-  write_cost(leg, {.repeats = {read_timing(leg).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes});
+  write_cost(leg, {.repeats = {read_timing(leg).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes, .predicted = {}});
   return fmt::format("{:.3g} s for {:.3g} s of the bed's time", read_timing(leg).wall_s, read_timing(leg).simulated_s);
 }
 
@@ -184,6 +232,7 @@ void read_cost_into(StudyCase& one, const fs::path& folder) {
   one.repeats = cost.repeats.empty() ? std::vector<double>{one.timing.wall_s} : cost.repeats;
   one.wall_s = median(one.repeats);
   one.peak_memory_bytes = cost.peak_memory_bytes;
+  one.predicted = cost.predicted;
 }
 
 StudyCase read_case_of(const PlannedCase& planned, const fs::path& folder) {
@@ -308,20 +357,32 @@ void find_orders(const StudyPlan& plan, StudyResult& result) {
 
 }  // namespace
 
+std::string farthest_off(const Prediction& predicted, const RunTiming& measured) {
+  std::string words;
+  double farthest = 0;  // [s]
+  for (const RunTiming::Stage& stage : measured.stages)
+    for (const RunTiming::Stage& foretold : predicted.stages)
+      if (foretold.name == stage.name && std::abs(foretold.seconds - stage.seconds) > farthest) {
+        farthest = std::abs(foretold.seconds - stage.seconds);
+        words = fmt::format("{} {:.2g} s, measured {:.2g} s", stage.name, foretold.seconds, stage.seconds);
+      }
+  return words;
+}
+
 bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
   if (fs::exists(folder / "study.json")) return true;
   return std::any_of(plan.cases.begin(), plan.cases.end(),
                      [&](const PlannedCase& one) { return has_manifest(folder / one.name); });
 }
 
-int run_cases(const StudyPlan& plan, const fs::path& folder, const std::function<void(const std::string&)>& say) {
+int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const fs::path& folder, const std::function<void(const std::string&)>& say) {
   make_folder(folder);
   const StopSignal stop_signal;
   if (plan.stored && plan.study.reference.leg > 0) say("reference, a short leg: " + run_leg(plan, folder));
   for (std::size_t k = 0; k < plan.cases.size() && StopSignal::received() == 0; ++k) {
     const PlannedCase& planned = plan.cases[k];
     say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name,
-                    run_one(plan, planned, folder / planned.name)));
+                    run_one(plan, planned, catalogue, folder / planned.name)));
   }
   return StopSignal::received() == 0 ? 0 : k_exit_of_signal + StopSignal::received();
 }

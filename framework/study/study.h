@@ -11,6 +11,18 @@
 
 namespace similitude {
 
+/// What a calibration before the run said it would cost.
+struct Prediction {
+  double wall_s = Estimate::k_unknown, particle_steps = Estimate::k_unknown;
+  std::vector<RunTiming::Stage> stages;  // of the whole run; shares are not set
+  std::string gap = "not predicted";     // why there is none
+  bool known() const { return gap.empty(); }
+};
+
+/// The stage whose time was foretold worst, by seconds, with both times: "fluid: vans 3 s, measured 5 s"; "" if nothing
+/// was foretold.
+std::string farthest_off(const Prediction& predicted, const RunTiming& measured);
+
 struct StudyCase {
   std::string name;
   bool reference = false;
@@ -22,6 +34,7 @@ struct StudyCase {
   double extrapolated_from = 0;  // [s] of the real bed: wall_s was timed over so long only; 0: over all
   double wall_s = Estimate::k_unknown;
   double peak_memory_bytes = Estimate::k_unknown;
+  Prediction predicted;
   std::string state_hash;
   std::vector<MetricResult> results;  // in the order of the study's metrics
   std::vector<Profile> profiles;
@@ -48,7 +61,7 @@ bool holds_a_study(const std::filesystem::path& folder, const StudyPlan& plan);
 
 /// Runs every case that is not finished, one after the other, each in its folder. `say` gets a line per case. Returns
 /// 0, or 130/143 if a signal came: then the rest was not run. Throws OutputError.
-int run_cases(const StudyPlan& plan, const std::filesystem::path& folder,
+int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const std::filesystem::path& folder,
               const std::function<void(const std::string&)>& say);
 
 /// From files alone: called again it says the same.

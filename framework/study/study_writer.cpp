@@ -55,6 +55,16 @@ json stages_json(const RunTiming& timing) {
   return list;
 }
 
+json prediction_json(const StudyCase& one) {
+  if (!one.predicted.known()) return {{"wall_s", nullptr}, {"gap", one.predicted.gap}};
+  json page{{"wall_s", one.predicted.wall_s},
+            {"particle_steps", one.predicted.particle_steps},
+            {"farthest_off", farthest_off(one.predicted, one.timing)},
+            {"stages", json::array()}};
+  for (const RunTiming::Stage& stage : one.predicted.stages) page["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  return page;
+}
+
 json case_json(const StudyPlan& plan, const StudyCase& one, std::size_t index) {
   const bool planned = index < plan.cases.size();
   json page{{"name", one.name},
@@ -75,6 +85,7 @@ json case_json(const StudyPlan& plan, const StudyCase& one, std::size_t index) {
   page["particle_steps_per_s"] = one.timing.particle_steps_per_s;
   page["peak_memory_bytes"] = number(one.peak_memory_bytes);
   page["stages"] = stages_json(one.timing);
+  page["predicted"] = prediction_json(one);
   page["state_hash"] = one.state_hash.empty() ? json(nullptr) : json(one.state_hash);
   page["metrics"] = json::object();
   page["error"] = json::object();

@@ -129,6 +129,8 @@ class Resume(ResumeTest):
                     time.sleep(0.05)
                 time.sleep(0.5)
                 process.send_signal(number)
+                time.sleep(0.02)
+                process.send_signal(number)   # as timeout(1) does: to the program, then to its group
                 said, _ = process.communicate(timeout=HUNG)
                 self.assertEqual(process.returncode, status)
             self.assertEqual(len(self.checkpoints("out")), 1)

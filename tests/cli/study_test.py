@@ -23,7 +23,7 @@ from: 5 ms
 """
 
 # What a clock decides.
-TIMES = {"wall_s", "wall_s_repeats", "particle_steps_per_s", "peak_memory_bytes", "stages", "pareto", "frontier", "advice"}
+TIMES = {"wall_s", "wall_s_repeats", "particle_steps_per_s", "peak_memory_bytes", "stages", "predicted", "pareto", "frontier", "advice"}
 
 
 def without_times(page):
@@ -105,6 +105,37 @@ class Study(CommandTest):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(without_times(self.page()), whole)
 
+    def test_killed_in_the_middle_of_a_run_it_goes_on_from_the_checkpoint(self):
+        self.write(CASE.replace("vtk: none", "vtk: none, checkpoint: every 0.1 s").replace("{end: 40 ms", "{end: 60 ms"))
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        whole = without_times(self.page())
+        for case in ("gidaspow", "di_felice"):
+            shutil.rmtree(self.path("out"))
+            running = subprocess.Popen([SIMILITUDE, "study", "study.yaml", "-o", "out"], cwd=self.folder.name,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                       env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2"})
+            checkpoints = self.path(f"out/{case}/checkpoints")
+            deadline = time.time() + HUNG
+            while time.time() < deadline and not (os.path.isdir(checkpoints) and any(name.endswith(".h5") for name in os.listdir(checkpoints))):
+                time.sleep(0.01)
+            running.send_signal(signal.SIGKILL)
+            running.wait()
+            time.sleep(0.3)   # its child ends by itself
+            done = self.study(STUDY, "--resume")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(self.path(f"out/{case}/manifest.json"), encoding="utf-8") as file:
+                self.assertEqual(len(json.load(file)["resumed"]), 1)
+            self.assertEqual(without_times(self.page()), whole)
+
+    def test_wall_time_is_foretold_and_held_against_what_it_took(self):
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        for case in self.page()["cases"]:
+            predicted = case["predicted"]
+            self.assertAlmostEqual(predicted["particle_steps"] / case["particle_steps"], 1, delta=0.01)
+            self.assertAlmostEqual(sum(stage["seconds"] for stage in predicted["stages"]) / predicted["wall_s"], 1, places=9)
+            self.assertLessEqual({stage["name"] for stage in predicted["stages"]}, {stage["name"] for stage in case["stages"]})
+            self.assertRegex(predicted["farthest_off"], r"^[a-z: ]+ [0-9.e-]+ s, measured [0-9.e-]+ s$")
+
     def test_a_signal_ends_child_and_study(self):
         case = CASE.replace("{end: 40 ms", "{end: 100 s")
         self.write(case)
@@ -177,8 +208,8 @@ class Study(CommandTest):
         os.mkdir(self.path("taken"))
         self.write("{}", "taken/study.json")
         folder = os.path.join(SOURCE, "configs/studies")
-        studies = [name for name in sorted(os.listdir(folder)) if name != "bed.yaml"]
-        self.assertEqual(len(studies), 8)
+        studies = [name for name in sorted(os.listdir(folder)) if name.endswith(".yaml") and name != "bed.yaml"]
+        self.assertEqual(len(studies), 11)
         for name in studies:
             done = self.command("study", os.path.join(folder, name), "-o", "taken")
             missing = name == "scaling.yaml" and not os.path.exists(os.path.join(SOURCE, "results/small_bed_exact"))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The **Example.** of every plugin's README is typed into a case, and `similitude check` accepts it."""
+"""The **Example.** of every plugin's README is typed into a case, and `similitude check` accepts it. Keys of the scene that
+stand beside it in backquotes, `scene.gas.temperature: 600 K`, are set."""
 
 import os
 import pathlib
@@ -38,7 +39,9 @@ class ExamplesOfModels(unittest.TestCase):
                 with tempfile.TemporaryDirectory() as folder:
                     case = pathlib.Path(folder) / "case.yaml"
                     case.write_text(CASE.replace("MODELS", "\n".join("  " + line for line in models.values())))
-                    said = subprocess.run([PROGRAM, "check", case], capture_output=True, text=True)
+                    beside = readme.read_text().split("**Example.**")[1].split("\n\n")[0]
+                    keys = [f"--set={key}={value}" for key, value in re.findall(r"`(scene\.[^`:]+): ([^`]+)`", beside)]
+                    said = subprocess.run([PROGRAM, "check", case, *keys], capture_output=True, text=True)
                 self.assertEqual(said.returncode, 0, said.stdout + said.stderr)
 
 

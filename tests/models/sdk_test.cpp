@@ -232,9 +232,12 @@ TEST(Effect, JudgesTheBed) {
   similitude_relevance relevance{};
   relevance.struct_size = sizeof relevance;
   const similitude_bed bed = test::alumina_bed();
-  model.functions().relevance(model.instance(), &bed, &relevance);
+  const similitude_evidence evidence{.struct_size = sizeof evidence, .reserved = 0, .bed = &bed, .value = nullptr,
+                                     .inflow_value = nullptr, .occurred = nullptr};
+  model.functions().relevance(model.instance(), &evidence, &relevance);
   EXPECT_EQ(relevance.verdict, 0);
   EXPECT_DOUBLE_EQ(relevance.value, 1.225 / 1040);
+  EXPECT_DOUBLE_EQ(relevance.highest, relevance.value);
   EXPECT_STREQ(relevance.group, "rho_f/rho_p");
 }
 

@@ -70,13 +70,14 @@ struct Rolls {
 
 /// A force of one newton along x, one unit of drag, and a group.
 struct Pushes {
-  Relevance relevance(const Bed& bed) const {
-    const double ratio = bed.gas_density / bed.particle_density;
-    return {ratio > 0.01 ? Verdict::needed : Verdict::negligible, ratio, 0.01, "rho_f/rho_p", "a text book"};
+  Relevance relevance(const Evidence& evidence) const {
+    const double ratio = evidence.bed.gas_density / evidence.bed.particle_density;
+    return {.verdict = ratio > 0.01 ? Verdict::needed : Verdict::negligible, .value = ratio, .threshold = 0.01,
+            .group = "rho_f/rho_p", .source = "a text book"};
   }
   template <class V>
   Addition<V> particles(const Particle<V>& p) const {
-    return {{p.mass / p.mass, V(0), V(0)}, p.diameter};
+    return {.force = {p.mass / p.mass, V(0), V(0)}, .linear_coefficient = p.diameter};
   }
 };
 

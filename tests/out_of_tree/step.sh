@@ -1,5 +1,5 @@
 # One step of the out-of-tree tests: step.sh install | headers | refused | build PROJECT [AS] | lists | meets PROJECT KIND ID
-# FILE | run EXAMPLE FILE. The environment says where everything is; see CMakeLists.txt.
+# FILE | run EXAMPLE FILE | new KIND | new_refuses. The environment says where everything is; see CMakeLists.txt.
 set -euo pipefail
 
 prefix=$SCRATCH/prefix
@@ -36,7 +36,7 @@ install_prefix() {
   "$CMAKE" --install "$BUILD" --prefix "$SCRATCH/first_prefix" >/dev/null
   mv "$SCRATCH/first_prefix" "$prefix"
   if grep -rlF -e "$SOURCE" -e "$BUILD" -e first_prefix "$package"; then fail "the package remembers where it was built"; fi
-  if find "$prefix" -name '*zoo*' -o -name '*test*' -o -name '*.a' | grep .; then fail "test libraries are installed"; fi
+  if find "$prefix/bin" "$prefix/$LIBDIR" -name '*zoo*' -o -name '*test*' -o -name '*.a' | grep .; then fail "test libraries are installed"; fi
   if grep -rlE '#include *[<"]Eigen' "$prefix/include"; then fail "a header for plugins asks for Eigen"; fi
 }
 
@@ -105,10 +105,45 @@ run() {   # example, file
   grep -qF "build/$2" results/manifest.json || fail "the manifest does not name $2"
 }
 
+# A project that `plugins new` writes: its own three commands build it, test it and use it.
+new() {   # kind
+  local folder=$SCRATCH/new/$1
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  cd "$folder"
+  export PATH=$prefix/bin:$PATH CMAKE_GENERATOR=$GENERATOR OMP_NUM_THREADS=1
+  local said
+  said=$(similitude plugins new "$1" "org.example.my-$1")
+  echo "$said"
+  if grep -r '@' "my_$1"; then fail "something was not filled in"; fi
+  sed -n 's/^  //p' <<<"$said" >commands.sh
+  [[ $(wc -l <commands.sh) == 3 ]] || fail "there are not three commands"
+  bash -ex commands.sh 2>&1 | sed 's/^/  /'
+  SIMILITUDE_PLUGIN_PATH=my_$1/build similitude plugins info "org.example.my-$1" | grep -qF "org.example.my-$1 1.0.0 ($1)" ||
+    fail "the plugin is not found"
+  grep -qF "my_$1/build/$1_my_$1.so" "my_$1/results/case/manifest.json" || fail "the run did not use it"
+}
+
+new_refuses() {
+  local folder=$SCRATCH/new/refused
+  rm -rf "$folder"
+  mkdir -p "$folder/my_drag"
+  cd "$folder"
+  expect_failure 'error: ./my_drag is there already; nothing of it was changed. Remove it, choose another id, or name another folder with -o.' \
+    "$similitude" plugins new drag my_drag
+  [[ -z $(ls my_drag) ]] || fail "something was written"
+  expect_failure 'error: there is no kind "friction". Use one of: drag, contact, fluid, scaling, effect.' \
+    "$similitude" plugins new friction my_friction
+  expect_failure 'error: "My Drag" is no id. Write my_law, or org.example.my_law to share it with others.' \
+    "$similitude" plugins new drag "My Drag"
+  expect_failure "the templates of plugins are not installed: $BUILD/share/similitude/templates/drag is not there. Install the Debian package similitude-dev, or type in Similitude's own folder: cmake --install build --prefix PREFIX && PREFIX/bin/similitude plugins new …" \
+    "$BUILD/bin/similitude" plugins new drag other_drag
+}
+
 step=$1
 shift
 case $step in
   install) install_prefix ;;
-  headers | refused | build | lists | meets | run) $step "$@" ;;
+  headers | refused | build | lists | meets | run | new | new_refuses) $step "$@" ;;
   *) fail "there is no step $step" ;;
 esac

@@ -34,8 +34,8 @@ void per_item(benchmark::State& state, const char* name, std::size_t items) {
 struct ListedBed {
   explicit ListedBed(std::size_t count)
       : bed(resting_lattice(count)), scene(box_around(bed)), law(contact_law(k_stiffness, k_restitution, k_friction)), surfaces(scene),
-        needs(needs_of(law)), lists((needs.history_count + 3) / 4, false), carried(needs),
-        contacts(bed, law, 1, surfaces, bricks, lists), columns(1) {
+        effects(needs_of(law), {}), lists(effects.memory().rows(), false), carried(effects.memory()),
+        contacts(bed, law, effects, 1, surfaces, bricks, lists), columns(1) {
     bricks.lay_out(scene.size, scene.periodic, k_diameter + k_skin);
     bricks.sort(bed, std::vector<std::uint8_t>(count, 0));
     bed.reorder(bricks.order());
@@ -61,7 +61,7 @@ struct ListedBed {
   ModelScene scene;
   ContactModel law;
   Surfaces surfaces;
-  similitude_contact_needs needs;
+  ContactEffects effects;
   Bricks bricks;
   ContactLists lists;
   CarriedHistory carried;

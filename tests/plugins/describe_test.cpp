@@ -17,15 +17,15 @@ constexpr double k_not_given = std::numeric_limits<double>::quiet_NaN();
 
 constexpr similitude_parameter k_parameters[] = {
     {sizeof(similitude_parameter), SIMILITUDE_REAL, 1, SIMILITUDE_SCALES_AS_STIFFNESS, "stiffness", "N/m",
-     "normal spring", nullptr, nullptr, nullptr, 0, 0, k_open, 100, 5000},
+     "normal spring", nullptr, nullptr, nullptr, 0, 0, k_open, 100, 5000, nullptr},
     {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "restitution", "1", "normal restitution", "Tsuji 1992",
-     nullptr, nullptr, 0.9, 0.01, 1, 0, 0},
+     nullptr, nullptr, 0.9, 0.01, 1, 0, 0, nullptr},
     {sizeof(similitude_parameter), SIMILITUDE_REAL, 0, 0, "cutoff", "K", "if given", nullptr, nullptr, nullptr,
-     k_not_given, -k_open, k_open, 0, 0},
+     k_not_given, -k_open, k_open, 0, 0, nullptr},
     {sizeof(similitude_parameter), SIMILITUDE_FLAG, 0, 0, "attraction", "", "whether it pulls", nullptr, nullptr,
-     nullptr, 0, 0, 1, 0, 0},
+     nullptr, 0, 0, 1, 0, 0, nullptr},
     {sizeof(similitude_parameter), SIMILITUDE_CHOICE, 0, 0, "wall", "", "which wall", nullptr, "flat|rough", "flat", 0,
-     0, 0, 0, 0}};
+     0, 0, 0, 0, nullptr}};
 constexpr similitude_descriptor k_spring{sizeof(similitude_descriptor),
                                          5,
                                          "contact",

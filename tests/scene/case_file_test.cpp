@@ -207,6 +207,17 @@ TEST(CaseFile, ABedIsReadFromAFileNextToTheCase) {
   EXPECT_EQ(read_case(file, fake_catalogue()).scene.bed.file, grains.string());
 }
 
+TEST(CaseFile, AScalingLawsOwnStiffnessIsNotTheSimulatedSprings) {
+  static const similitude_parameter ratio[] = {testing::real("stiffness", "1", "ratio of springs", 1, 0, testing::k_open)};
+  std::vector<PluginEntry> plugins = testing::fake_catalogue().plugins();
+  plugins.push_back(testing::model("scaling", "by_hand", ratio));
+  const CaseFolder folder;
+  const std::string text = example_with("{id: terminal_velocity, geometry: 0.25}", "{id: by_hand, stiffness: 0.3}");
+  const RealScene bed = read_case(folder.write("spout.yaml", text), Catalogue(plugins)).scene;
+  EXPECT_EQ(bed.models.scaling.parameters.front().real, 0.3);
+  EXPECT_FALSE(bed.models.simulated_stiffness.has_value());
+}
+
 TEST(CaseFile, ASimulatedStiffnessIsTheFrameworksOwnKey) {
   const RealScene bed = read_text_case(k_example, {"models.scaling.stiffness=60 N/m"}).scene;
   EXPECT_EQ(bed.models.simulated_stiffness, 60);

@@ -26,7 +26,8 @@ inline similitude_parameter real(const char* name, const char* unit, const char*
           low,
           high,
           0,
-          0};
+          0,
+          nullptr};
 }
 
 inline similitude_parameter required(similitude_parameter parameter) {
@@ -56,7 +57,8 @@ inline similitude_parameter other(int type, const char* name, const char* doc, d
           0,
           100,
           0,
-          0};
+          0,
+          nullptr};
 }
 
 template <std::size_t Count>

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "scene/messages.h"
-#include "study/csv_table.h"
+#include "output/csv_table.h"
 #include "study/metrics.h"
 #include "folder.h"
 

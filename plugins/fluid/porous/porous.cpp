@@ -38,6 +38,7 @@ struct Porous {
   similitude_fluid_needs needs() const {
     similitude_fluid_needs needs{};
     needs.any_courant_number = 1;
+    needs.gives_flux = 1;
     return needs;
   }
   std::uint64_t state_size() const { return solver_->state_size(); }

@@ -75,6 +75,7 @@ void PorousSolver::advance(const similitude_gas_step& step, similitude_gas_repor
   fill_velocity(step);
   fill_stress(step);
   fill_report(step, projected, report);
+  fill_flux(step);
 }
 
 void PorousSolver::save(double* out) const {

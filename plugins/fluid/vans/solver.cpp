@@ -25,16 +25,44 @@ GasSolver::GasSolver(const similitude_grid& grid, const GasOptions& options)
   site_.assign(most_sites, 0.0);
 }
 
-void GasSolver::viscous_force() {
+/// Means of the two cells of every face, walls and patches included.
+void GasSolver::set_added_viscosity(const double* added_in_cells) {
+  if (cells_of_[0].empty()) {
+    added_viscosity_ = make_face_fields(mesh_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      Triple at{};
+      for (at[2] = 0; at[2] < mesh_.face_extent[a][2]; ++at[2]) {
+        for (at[1] = 0; at[1] < mesh_.face_extent[a][1]; ++at[1]) {
+          for (at[0] = 0; at[0] < mesh_.face_extent[a][0]; ++at[0]) {
+            const auto [below, above] = mesh_.cells_of_face(a, at);
+            cells_of_[a].push_back({static_cast<Row>(below < 0 ? above : below), static_cast<Row>(above < 0 ? below : above)});
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t a = 0; a < 3; ++a) {
+#pragma omp parallel for schedule(static) if (mesh_.face_count[a] >= k_worth_threads)
+    for (Index f = 0; f < mesh_.face_count[a]; ++f) {
+      const auto [below, above] = cells_of_[a][u(f)];
+      added_viscosity_[a][u(f)] = 0.5 * (added_in_cells[below] + added_in_cells[above]);
+    }
+  }
+}
+
+void GasSolver::viscous_force(const similitude_gas_step& step) {
   divergence_of(velocity_, divergence_);
+  const bool adds = step.added_viscosity != nullptr;
+  if (adds) set_added_viscosity(step.added_viscosity);
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     std::fill(viscous_[a].begin(), viscous_[a].end(), 0.0);
+    const Viscosity viscosity{options_.viscosity, step.added_viscosity, adds ? &added_viscosity_[a] : nullptr};
     for (std::size_t b = 0; b < 3; ++b) {
       if (b == a) {
-        tension_along(component, options_.viscosity, mesh_.spacing[a], velocity_[a], divergence_, site_);
+        tension_along(component, viscosity, mesh_.spacing[a], velocity_[a], divergence_, site_);
       } else {
-        tension_across(component, b, options_.viscosity, mesh_.spacing, velocity_[a], velocity_[b], site_);
+        tension_across(component, b, viscosity, mesh_.spacing, velocity_[a], velocity_[b], site_);
       }
       pull(component, b, mesh_.spacing[b], site_, viscous_[a]);
     }
@@ -90,7 +118,7 @@ void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& 
     std::fill(gain_[a].begin(), gain_[a].end(), 0.0);
   }
   set_flux(fraction_old_);
-  viscous_force();
+  viscous_force(step);
   set_pressure_gradient(step.pressure);
   add_transport(velocity_);
   predict(step, 1, stage_);
@@ -100,6 +128,7 @@ void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& 
   fill_velocity(step);
   if (options_.momentum == Momentum::model_a) fill_stress(step);
   fill_report(step, projected, report);
+  fill_flux(step);
   fill_momentum(report);
 }
 

@@ -51,7 +51,8 @@ class GasSolver : public flow::FaceFlow {
   void advance(const similitude_gas_step& step, similitude_gas_report& report);
 
  private:
-  void viscous_force();
+  void viscous_force(const similitude_gas_step& step);
+  void set_added_viscosity(const double* added_in_cells);
   void add_transport(const FaceFields& velocity);
   void predict(const similitude_gas_step& step, double share, FaceFields& predicted);
   void fill_stress(const similitude_gas_step& step);
@@ -66,6 +67,9 @@ class GasSolver : public flow::FaceFlow {
   std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
   std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
   std::vector<double> site_;  // scratch, sites
+  // Only where something adds viscosity.
+  FaceFields added_viscosity_;                              // [Pa s], faces
+  std::array<std::vector<std::array<Row, 2>>, 3> cells_of_;   // of every face; one cell twice at the edge of the domain
 };
 
 }  // namespace similitude::vans

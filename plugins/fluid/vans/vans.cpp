@@ -56,6 +56,7 @@ struct Vans {
   similitude_fluid_needs needs() const {
     similitude_fluid_needs needs{};
     needs.drag_over_gas_fraction = momentum == Momentum::model_b ? 1 : 0;
+    needs.takes_added_viscosity = needs.gives_flux = 1;
     return needs;
   }
   std::uint64_t state_size() const { return solver_->state_size(); }

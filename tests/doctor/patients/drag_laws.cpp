@@ -67,15 +67,6 @@ struct Complains {
   }
 };
 
-struct NeverEnds {
-  template <class V>
-  V exchange(const DragState<V>& s) const {
-    for (volatile bool waiting = any_of(s.gas_fraction == V(0.995)); waiting;) {
-    }
-    return stokes_exchange(s);
-  }
-};
-
 struct EndsTheProgram {
   template <class V>
   V exchange(const DragState<V>& s) const {
@@ -112,6 +103,6 @@ SIMILITUDE_PLUGIN(drag_law<Healthy>({"healthy", "1.0.0", "Nothing is wrong with 
                   drag_law<StepsAtTheEmptyGas>({"steps_at_the_empty_gas", "1.0.0", "Ill"}),
                   drag_law<WeakerWhenFaster>({"weaker_when_faster", "1.0.0", "Ill"}),
                   drag_law<HidesAMillimetre>({"hides_a_millimetre", "1.0.0", "Ill"}),
-                  drag_law<Complains>({"complains", "1.0.0", "Ill"}), drag_law<NeverEnds>({"never_ends", "1.0.0", "Ill"}),
+                  drag_law<Complains>({"complains", "1.0.0", "Ill"}),
                   drag_law<EndsTheProgram>({"ends_the_program", "1.0.0", "Ill"}),
                   drag_law<RefusesItself>({"refuses_itself", "1.0.0", "Ill"}), drag_law<OddUnit>({"odd_unit", "1.0.0", "Ill"}))

@@ -22,6 +22,9 @@ extern "C" {
 #define SIMILITUDE_ABI_MAJOR 0
 #define SIMILITUDE_ABI_MINOR 1
 
+/* Fingerprint of where every field lies that existed in <major>.0. layout.h computes it and compares. */
+#define SIMILITUDE_LAYOUT_HASH 0x3d92ed4eu
+
 /* The one symbol a plugin exports, and the ELF section its tag lies in. */
 #define SIMILITUDE_ENTRY_SYMBOL "similitude_plugin"
 #define SIMILITUDE_TAG_SECTION ".similitude_tag"
@@ -59,7 +62,13 @@ enum {
   SIMILITUDE_SCALES_AS_VELOCITY = 4,
   SIMILITUDE_SCALES_AS_STIFFNESS = 5,  /* spring stiffness, force per length */
   SIMILITUDE_SCALES_AS_MODULUS = 6,    /* elastic modulus, force per area */
-  SIMILITUDE_SCALES_AS_RESTITUTION = 7 /* coefficient of restitution e: 1 - e^2 scales by energy_loss */
+  SIMILITUDE_SCALES_AS_RESTITUTION = 7,    /* coefficient of restitution e: 1 - e^2 scales by energy_loss */
+  SIMILITUDE_SCALES_AS_FORCE = 8,          /* on what touches: as a simulated particle's weight, so a Bond number stays */
+  SIMILITUDE_SCALES_AS_SURFACE_ENERGY = 9, /* force per particle-sized length */
+  SIMILITUDE_SCALES_AS_ENERGY = 10,        /* force times particle-sized length */
+  SIMILITUDE_SCALES_AS_DIFFUSIVITY = 11,   /* diameter^2 / time: a particle's Fourier number stays */
+  SIMILITUDE_SCALES_AS_RATE = 12,          /* 1 / time */
+  SIMILITUDE_SCALES_REFUSED = 13           /* nothing is known: a scaled run with this model is an error */
 };
 
 typedef struct similitude_parameter {
@@ -76,6 +85,7 @@ typedef struct similitude_parameter {
   double default_value;       /* NaN: left out means "not given", and the model is told NaN */
   double minimum, maximum;    /* hard; -inf/inf where open */
   double typical_minimum, typical_maximum;   /* outside: a warning; equal: no typical range */
+  const char* taken_from;     /* kind of the model whose parameter of the same name is meant where the case gives none; or null */
 } similitude_parameter;
 
 typedef struct similitude_value {
@@ -97,6 +107,8 @@ typedef struct similitude_bed {
   double superficial_velocity;    /* [m/s], mean over the bottom at full flow */
   double largest_inlet_velocity;  /* [m/s] */
   double particle_count;
+  double largest_shear_rate;      /* [1/s], of the inlets and walls: a jet's speed over half its width, or the mean's over half
+                                     the bed's; 0 without a flow */
 } similitude_bed;
 
 /* What the host offers a plugin. Valid for the life of the process. */
@@ -287,6 +299,9 @@ typedef struct similitude_gas_step {
   double* pressure;                 /* [Pa], cells, full pressure minus rho g.x */
   double* stress_force;             /* [N/m^3], 3 x cells: -grad p + div tau, the force per volume on what is immersed;
                                        one-sided at walls and baffles; zero where particles feel none (model B) */
+  /* for effects; null unless asked for, and only of solvers whose needs say that they can */
+  const double* added_viscosity;    /* in [Pa s], cells: beside the molecular viscosity */
+  double* flux[3];                  /* out [m/s], faces: eps u, the gas volume per area and time that the mass balance closed with */
 } similitude_gas_step;
 
 typedef struct similitude_gas_report {
@@ -303,6 +318,8 @@ typedef struct similitude_fluid_needs {
   uint32_t struct_size;
   int32_t drag_over_gas_fraction;   /* 1: model B: particles feel, and the gas is charged, K / eps of the drag law's K */
   int32_t any_courant_number;       /* 1: nothing is advected: the Courant number is reported, but limits no step */
+  int32_t takes_added_viscosity;    /* 1: the solver reads added_viscosity */
+  int32_t gives_flux;               /* 1: the solver writes flux */
 } similitude_fluid_needs;
 
 typedef struct similitude_fluid_functions {
@@ -322,36 +339,213 @@ typedef struct similitude_fluid_functions {
 
 /* ------------------------------------------------------------------------------------------------------- effect */
 
+/* An effect adds to a bed what its drag and contact laws leave out. It may have any of
+ *   a particle pass   force, linear coefficient and added mass of one particle in its gas
+ *   a contact pass    force, couple and flows of scalars in one contact, beside the contact law
+ *   a cell pass       viscosity added to the gas
+ *   scalars           carried by the gas or by the particles, declared as data, with their exchange
+ * Fields and passes exist only for effects that a case lists. What one effect adds no other effect sees within a step, so
+ * that the order of the list changes sums to rounding and nothing else. */
+
+#define SIMILITUDE_MAX_QUANTITIES 16
+
+/* What a declared quantity is, and which key of a case gives it. */
+enum {
+  SIMILITUDE_GAS_SCALAR = 0,        /* carried by the gas. gas.NAME: at the start; patches.P.NAME: of what flows in */
+  SIMILITUDE_PARTICLE_SCALAR = 1,   /* a column of particles. particles.CLASS.NAME: at the start */
+  SIMILITUDE_GAS_PROPERTY = 2,      /* one number. gas.NAME */
+  SIMILITUDE_PARTICLE_PROPERTY = 3, /* one number of each class. particles.CLASS.NAME */
+  SIMILITUDE_WALL_PROPERTY = 4      /* one number of all walls. walls.NAME; left out, walls give and take nothing */
+};
+
+/* Static: case keys, schema and error texts come from it before any model is created. */
+typedef struct similitude_quantity {
+  uint32_t struct_size;
+  int32_t kind;                   /* SIMILITUDE_GAS_SCALAR ... */
+  const char* name;               /* lower_snake; the same name, kind and unit in two effects is one quantity */
+  const char* unit;               /* "K", "1" for a mass fraction, "J/(kg K)" */
+  const char* amount_unit;        /* of scalars: "J", "kg": what mass times capacity times the scalar adds up to; else null */
+  const char* doc;                /* one sentence */
+  double default_value;           /* NaN: the case must give it (a wall property may stay out) */
+  double minimum, maximum;        /* hard */
+  int32_t scales_as;              /* SIMILITUDE_SCALES_... */
+  int32_t capacity;               /* of a particle scalar: index of the particle property that, times the mass, is its
+                                     capacity; -1: the mass itself */
+} similitude_quantity;
+
+/* How the gas carries a scalar: d(eps rho capacity s)/dt + div(eps rho capacity u s) = div(eps rho capacity D grad s) + exchange. */
+typedef struct similitude_gas_scalar_law {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double capacity;                /* amount per kg of gas and unit of s: heat capacity [J/(kg K)], 1 for mass fractions;
+                                     0: another effect that declares the scalar says it */
+  double diffusivity;             /* [m^2/s], of the simulated bed */
+  double turbulent_number;        /* [-], Pr_t or Sc_t: an added viscosity nu_t adds nu_t / this; 0: it adds nothing */
+} similitude_gas_scalar_law;
+
+/* What a particle or contact pass wants to read beyond what it always gets. */
+enum {
+  SIMILITUDE_READS_ANGULAR_VELOCITY = 1,   /* particles have spin, forces have torques */
+  SIMILITUDE_READS_GAS_VORTICITY = 2,      /* curl u at the particle */
+  SIMILITUDE_READS_GAS_ACCELERATION = 4    /* Du/Dt at the particle */
+};
+
+/* What it adds beyond a force. */
+enum {
+  SIMILITUDE_ADDS_ADDED_MASS = 1,          /* of the particle pass */
+  SIMILITUDE_ADDS_COUPLE = 2,              /* of the contact pass */
+  SIMILITUDE_ADDS_FLOW = 4,                /* of particle scalars, of the contact pass */
+  SIMILITUDE_ADDS_FLOW_ALONE = 8           /* with it: the contact pass adds no force and is not called for one */
+};
+
+typedef struct similitude_effect_needs {
+  uint32_t struct_size;
+  uint32_t reads;                                   /* SIMILITUDE_READS_... */
+  uint32_t adds;                                    /* SIMILITUDE_ADDS_... */
+  uint32_t history_count;                           /* of the contact pass, <= SIMILITUDE_MAX_HISTORY */
+  int32_t history_parity[SIMILITUDE_MAX_HISTORY];
+  const char* history_name[SIMILITUDE_MAX_HISTORY];
+  const char* history_unit[SIMILITUDE_MAX_HISTORY];
+  const char* partners;                             /* ids of models of any kind that must be there: "a|b c": a or b, and c; or null */
+  const char* conflicts;                            /* ids of models that must not be there: "a b"; or null */
+} similitude_effect_needs;
+
+typedef struct similitude_range {
+  double lowest, mean, highest;     /* NaN where nothing is known */
+} similitude_range;
+
+/* What a run saw, over its particles and output intervals; of the real bed. */
+typedef struct similitude_occurred {
+  uint32_t struct_size;
+  uint32_t reserved;
+  similitude_range solids_fraction;     /* [-], around particles */
+  similitude_range slip_speed;          /* [m/s] */
+  similitude_range particle_speed;      /* [m/s] */
+  similitude_range angular_speed;       /* [rad/s] */
+  similitude_range vorticity;           /* [1/s], |curl u| around particles */
+  similitude_range strain_rate;         /* [1/s], sqrt(2 S:S) in cells */
+  const similitude_range* value;        /* by quantity; null where the effect declares none */
+} similitude_occurred;
+
+/* What an effect may judge by. */
+typedef struct similitude_evidence {
+  uint32_t struct_size;
+  uint32_t reserved;
+  const similitude_bed* bed;            /* the real one */
+  const double* value;                  /* by quantity, of the first particle class; NaN where the case gives none */
+  const double* inflow_value;           /* by quantity, of gas scalars: of the inlet that differs most from `value` */
+  const similitude_occurred* occurred;  /* null before a run */
+} similitude_evidence;
+
 /* A verdict on whether a scene calls for an effect. */
 typedef struct similitude_relevance {
   uint32_t struct_size;
   int32_t verdict;                  /* 1 needed, 0 negligible, -1 cannot tell */
-  double value, threshold;          /* of the dimensionless group */
+  double value, threshold;          /* of the dimensionless group; NaN where it cannot be told */
   const char* group;                /* "rho_f/rho_p" */
   const char* source;               /* of the threshold */
+  double lowest, highest;           /* the range that the value may have in this scene */
+  int32_t needed_below;             /* 1: needed where the value is below the threshold */
+  int32_t reserved;
+  const char* missing;              /* of a verdict that cannot tell: what would tell, e.g. "scene.gas.temperature"; else null */
 } similitude_relevance;
 
-/* A block of particles for an effect's pass. [worker] */
+/* A block of particles for an effect's pass. Once per gas step; what it adds is held over the step's sub-steps. [worker] */
 typedef struct similitude_particle_block {
   uint32_t struct_size;
   uint32_t rows;
-  double dt;
-  const double* diameter;           /* [m] */
-  const double* mass;               /* [kg] */
-  const double* velocity[3];        /* [m/s] */
-  const double* gas_velocity[3];    /* [m/s], at the particle */
-  const double* gas_fraction;       /* [-] */
-  const double* gas_density;        /* [kg/m^3] */
-  const double* gas_viscosity;      /* [Pa s] */
-  double* force[3];                 /* add [N]: on one physical particle; the gas receives the opposite */
-  double* linear_coefficient;       /* add [kg/s]: F = c (u - v), treated implicitly */
+  double dt;                            /* [s], gas step */
+  const double* diameter;               /* [m], of one physical particle */
+  const double* mass;                   /* [kg], of one physical particle */
+  const double* velocity[3];            /* [m/s] */
+  const double* gas_velocity[3];        /* [m/s], at the particle */
+  const double* gas_fraction;           /* [-] */
+  const double* gas_density;            /* [kg/m^3] */
+  const double* gas_viscosity;          /* [Pa s], molecular */
+  const double* angular_velocity[3];    /* [rad/s]; this and the next two null unless read */
+  const double* gas_vorticity[3];       /* [1/s] */
+  const double* gas_acceleration[3];    /* [m/s^2], Du/Dt */
+  double* force[3];                     /* add [N]: on one physical particle; the gas receives the opposite */
+  double* linear_coefficient;           /* add [kg/s]: F = c (u - v), treated implicitly */
+  double* added_mass;                   /* add [kg]: m_a of a force m_a (Du/Dt - dv/dt); m_a Du/Dt belongs into `force`, the rest
+                                           is the integrator's; null unless added */
 } similitude_particle_block;
 
+/* A block of contacts after the contact law, walls included (similitude_contact_block says what they are). Rows may be
+ * contacts within the effect's reach that the law does not know: their law_force is zero. [worker] */
+typedef struct similitude_contact_effect_block {
+  uint32_t struct_size;
+  uint32_t rows;
+  double dt;                            /* [s], sub-step */
+  const double* normal[3];              /* [-], from j toward i */
+  const double* overlap;                /* [m] */
+  const double* velocity[3];            /* [m/s], of i relative to j at the contact point */
+  const double* angular_velocity_i[3];  /* [rad/s]; null without rotation */
+  const double* angular_velocity_j[3];
+  const double* radius_i;               /* [m] */
+  const double* radius_j;               /* [m], infinite for a flat wall */
+  const double* effective_mass;         /* [kg] */
+  const double* law_force[3];           /* [N], on i, of the contact law alone */
+  const double* const* value_i;         /* by quantity: particle scalars and properties; null where there is none of the kind */
+  const double* const* value_j;         /* of a wall: the wall property of the same name, NaN if not given */
+  double* history[SIMILITUDE_MAX_HISTORY];   /* in and out; zero in the first step of a contact */
+  double* force[3];                     /* add [N], on i; j receives the opposite */
+  double* couple[3];                    /* add [N m], on i; null unless added */
+  double* const* flow;                  /* out, by quantity of particle scalars: amount per second from j into i; null in calls for forces.
+                                           Flows are asked for in calls of their own, once per gas step with its dt, without
+                                           history, force and couple */
+} similitude_contact_effect_block;
+
+/* A block of cells. Once per gas step, before the gas. [worker] */
+typedef struct similitude_cell_block {
+  uint32_t struct_size;
+  uint32_t rows;
+  const double* gas_fraction;           /* [-] */
+  const double* gas_density;            /* [kg/m^3] */
+  const double* gas_viscosity;          /* [Pa s], molecular */
+  const double* strain_rate;            /* [1/s], sqrt(2 S:S), S of the gas's velocity */
+  const double* cell_size;              /* [m], cube root of the cell's volume */
+  double* added_viscosity;              /* add [Pa s] */
+} similitude_cell_block;
+
+/* Exchange of scalars of ONE physical particle with its gas: amount per second into the particle = coefficient (s_gas - level),
+ * implicit in s_gas at the end of the step. An effect that relaxes its own particle scalar puts the implicitness of that into the
+ * coefficient, c / (1 + c dt / C). Filled twice per gas step: exchange() before the gas's scalars advance, take() after. [worker] */
+typedef struct similitude_scalar_block {
+  uint32_t struct_size;
+  uint32_t rows;
+  double dt;                            /* [s], gas step */
+  const double* diameter;               /* [m], of one physical particle */
+  const double* mass;                   /* [kg], of one physical particle */
+  const double* gas_fraction;           /* [-] */
+  const double* slip_speed;             /* [m/s] */
+  const double* gas_density;            /* [kg/m^3] */
+  const double* gas_viscosity;          /* [Pa s] */
+  const double* const* value;           /* by quantity: gas scalars at the particle, particle properties; null for others */
+  double* const* particle;              /* by quantity: particle scalars; in of exchange(), in and out of take() */
+  double* const* coefficient;           /* by quantity: out of exchange(), gas scalars */
+  double* const* level;                 /* out of exchange() */
+  const double* const* received;        /* in of take(): amount that one physical particle received in this step */
+} similitude_scalar_block;
+
+/* All hooks but `relevance` may be null. */
 typedef struct similitude_effect_functions {
   uint32_t struct_size;
-  uint32_t reserved;
-  void (*relevance)(const void* model, const similitude_bed* bed, similitude_relevance* out);               /* [setup] */
-  void (*particles)(const void* model, const similitude_particle_block* block, similitude_status* status);  /* optional. [worker] */
+  uint32_t quantity_count;                                  /* <= SIMILITUDE_MAX_QUANTITIES */
+  const similitude_quantity* quantities;                    /* "by quantity" above: in the order of this list */
+  void (*relevance)(const void* model, const similitude_evidence* evidence, similitude_relevance* out);   /* [setup][main] */
+  void (*needs)(const void* model, similitude_effect_needs* out);   /* null: all zero. [setup] */
+  int32_t (*uses)(const void* model, uint32_t quantity);    /* 0: not with these parameters; null: all are used. [setup] */
+  /* Once, with gas and wall properties by quantity (NaN elsewhere and where not given), before any pass. [setup] */
+  void (*configure)(void* model, const double* properties, similitude_gas_scalar_law* laws, similitude_status* status);
+  void (*particles)(const void* model, const similitude_particle_block* block, similitude_status* status);      /* [worker] */
+  void (*contacts)(const void* model, const similitude_contact_effect_block* block, similitude_status* status); /* [worker] */
+  double (*reach)(const void* model, double diameter);      /* [m], contacts begin at this gap; null: at touch. [setup] */
+  /* [s], beyond it the explicit step of the contact pass is unstable; null or infinite: none. [setup] */
+  double (*largest_stable_step)(const void* model, double effective_mass, double effective_radius, double speed);
+  void (*cells)(const void* model, const similitude_cell_block* block, similitude_status* status);              /* [worker] */
+  void (*exchange)(const void* model, const similitude_scalar_block* block, similitude_status* status);         /* [worker] */
+  void (*take)(const void* model, const similitude_scalar_block* block, similitude_status* status);             /* [worker] */
 } similitude_effect_functions;
 
 #ifdef __cplusplus

@@ -47,6 +47,7 @@ constexpr std::uint32_t layout_hash() {
     SIMILITUDE_FIELD(name) SIMILITUDE_FIELD(unit) SIMILITUDE_FIELD(doc) SIMILITUDE_FIELD(reference)
     SIMILITUDE_FIELD(choices) SIMILITUDE_FIELD(default_text) SIMILITUDE_FIELD(default_value) SIMILITUDE_FIELD(minimum)
     SIMILITUDE_FIELD(maximum) SIMILITUDE_FIELD(typical_minimum) SIMILITUDE_FIELD(typical_maximum)
+    SIMILITUDE_FIELD(taken_from)
     print.add(sizeof(Struct));   // stepped through as an array
   }
   {
@@ -60,6 +61,7 @@ constexpr std::uint32_t layout_hash() {
     SIMILITUDE_FIELD(gas_viscosity) SIMILITUDE_FIELD(particle_diameter) SIMILITUDE_FIELD(particle_density)
     SIMILITUDE_FIELD(drag_diameter) SIMILITUDE_FIELD(bed_width) SIMILITUDE_FIELD(bed_depth) SIMILITUDE_FIELD(bed_height)
     SIMILITUDE_FIELD(superficial_velocity) SIMILITUDE_FIELD(largest_inlet_velocity) SIMILITUDE_FIELD(particle_count)
+    SIMILITUDE_FIELD(largest_shear_rate)
   }
   {
     using Struct = similitude_host;
@@ -135,12 +137,17 @@ constexpr std::uint32_t layout_hash() {
     SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(time) SIMILITUDE_FIELD(dt)
     SIMILITUDE_FIELD(gas_fraction) SIMILITUDE_FIELD(gas_fraction_old) SIMILITUDE_FIELD(exchange)
     SIMILITUDE_FIELD(exchange_velocity) SIMILITUDE_FIELD(remainder) SIMILITUDE_FIELD(velocity) SIMILITUDE_FIELD(pressure)
-    SIMILITUDE_FIELD(stress_force)
+    SIMILITUDE_FIELD(stress_force) SIMILITUDE_FIELD(added_viscosity) SIMILITUDE_FIELD(flux)
   }
   {
     using Struct = similitude_gas_report;
     SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(iterations) SIMILITUDE_FIELD(mass_residual) SIMILITUDE_FIELD(inflow)
     SIMILITUDE_FIELD(outflow) SIMILITUDE_FIELD(courant) SIMILITUDE_FIELD(momentum)
+  }
+  {
+    using Struct = similitude_fluid_needs;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(drag_over_gas_fraction) SIMILITUDE_FIELD(any_courant_number)
+    SIMILITUDE_FIELD(takes_added_viscosity) SIMILITUDE_FIELD(gives_flux)
   }
   {
     using Struct = similitude_fluid_functions;
@@ -149,23 +156,87 @@ constexpr std::uint32_t layout_hash() {
     SIMILITUDE_FIELD(load_state)
   }
   {
+    using Struct = similitude_quantity;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(kind) SIMILITUDE_FIELD(name) SIMILITUDE_FIELD(unit)
+    SIMILITUDE_FIELD(amount_unit) SIMILITUDE_FIELD(doc) SIMILITUDE_FIELD(default_value) SIMILITUDE_FIELD(minimum)
+    SIMILITUDE_FIELD(maximum) SIMILITUDE_FIELD(scales_as) SIMILITUDE_FIELD(capacity)
+    print.add(sizeof(Struct));   // stepped through as an array
+  }
+  {
+    using Struct = similitude_gas_scalar_law;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(capacity) SIMILITUDE_FIELD(diffusivity)
+    SIMILITUDE_FIELD(turbulent_number)
+    print.add(sizeof(Struct));   // stepped through as an array
+  }
+  {
+    using Struct = similitude_effect_needs;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reads) SIMILITUDE_FIELD(adds) SIMILITUDE_FIELD(history_count)
+    SIMILITUDE_FIELD(history_parity) SIMILITUDE_FIELD(history_name) SIMILITUDE_FIELD(history_unit)
+    SIMILITUDE_FIELD(partners) SIMILITUDE_FIELD(conflicts)
+  }
+  {
+    using Struct = similitude_range;
+    SIMILITUDE_FIELD(lowest) SIMILITUDE_FIELD(mean) SIMILITUDE_FIELD(highest)
+    print.add(sizeof(Struct));   // stepped through as an array
+  }
+  {
+    using Struct = similitude_occurred;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(solids_fraction)
+    SIMILITUDE_FIELD(slip_speed) SIMILITUDE_FIELD(particle_speed) SIMILITUDE_FIELD(angular_speed)
+    SIMILITUDE_FIELD(vorticity) SIMILITUDE_FIELD(strain_rate) SIMILITUDE_FIELD(value)
+  }
+  {
+    using Struct = similitude_evidence;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(bed) SIMILITUDE_FIELD(value)
+    SIMILITUDE_FIELD(inflow_value) SIMILITUDE_FIELD(occurred)
+  }
+  {
     using Struct = similitude_relevance;
     SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(verdict) SIMILITUDE_FIELD(value) SIMILITUDE_FIELD(threshold)
-    SIMILITUDE_FIELD(group) SIMILITUDE_FIELD(source)
+    SIMILITUDE_FIELD(group) SIMILITUDE_FIELD(source) SIMILITUDE_FIELD(lowest) SIMILITUDE_FIELD(highest)
+    SIMILITUDE_FIELD(needed_below) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(missing)
   }
   {
     using Struct = similitude_particle_block;
     SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(rows) SIMILITUDE_FIELD(dt) SIMILITUDE_FIELD(diameter)
     SIMILITUDE_FIELD(mass) SIMILITUDE_FIELD(velocity) SIMILITUDE_FIELD(gas_velocity) SIMILITUDE_FIELD(gas_fraction)
-    SIMILITUDE_FIELD(gas_density) SIMILITUDE_FIELD(gas_viscosity) SIMILITUDE_FIELD(force)
-    SIMILITUDE_FIELD(linear_coefficient)
+    SIMILITUDE_FIELD(gas_density) SIMILITUDE_FIELD(gas_viscosity) SIMILITUDE_FIELD(angular_velocity)
+    SIMILITUDE_FIELD(gas_vorticity) SIMILITUDE_FIELD(gas_acceleration) SIMILITUDE_FIELD(force)
+    SIMILITUDE_FIELD(linear_coefficient) SIMILITUDE_FIELD(added_mass)
+  }
+  {
+    using Struct = similitude_contact_effect_block;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(rows) SIMILITUDE_FIELD(dt) SIMILITUDE_FIELD(normal)
+    SIMILITUDE_FIELD(overlap) SIMILITUDE_FIELD(velocity) SIMILITUDE_FIELD(angular_velocity_i)
+    SIMILITUDE_FIELD(angular_velocity_j) SIMILITUDE_FIELD(radius_i) SIMILITUDE_FIELD(radius_j)
+    SIMILITUDE_FIELD(effective_mass) SIMILITUDE_FIELD(law_force) SIMILITUDE_FIELD(value_i) SIMILITUDE_FIELD(value_j)
+    SIMILITUDE_FIELD(history) SIMILITUDE_FIELD(force) SIMILITUDE_FIELD(couple) SIMILITUDE_FIELD(flow)
+  }
+  {
+    using Struct = similitude_cell_block;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(rows) SIMILITUDE_FIELD(gas_fraction) SIMILITUDE_FIELD(gas_density)
+    SIMILITUDE_FIELD(gas_viscosity) SIMILITUDE_FIELD(strain_rate) SIMILITUDE_FIELD(cell_size)
+    SIMILITUDE_FIELD(added_viscosity)
+  }
+  {
+    using Struct = similitude_scalar_block;
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(rows) SIMILITUDE_FIELD(dt) SIMILITUDE_FIELD(diameter)
+    SIMILITUDE_FIELD(mass) SIMILITUDE_FIELD(gas_fraction) SIMILITUDE_FIELD(slip_speed) SIMILITUDE_FIELD(gas_density)
+    SIMILITUDE_FIELD(gas_viscosity) SIMILITUDE_FIELD(value) SIMILITUDE_FIELD(particle) SIMILITUDE_FIELD(coefficient)
+    SIMILITUDE_FIELD(level) SIMILITUDE_FIELD(received)
   }
   {
     using Struct = similitude_effect_functions;
-    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(reserved) SIMILITUDE_FIELD(relevance) SIMILITUDE_FIELD(particles)
+    SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(quantity_count) SIMILITUDE_FIELD(quantities)
+    SIMILITUDE_FIELD(relevance) SIMILITUDE_FIELD(needs) SIMILITUDE_FIELD(uses) SIMILITUDE_FIELD(configure)
+    SIMILITUDE_FIELD(particles) SIMILITUDE_FIELD(contacts) SIMILITUDE_FIELD(reach)
+    SIMILITUDE_FIELD(largest_stable_step) SIMILITUDE_FIELD(cells) SIMILITUDE_FIELD(exchange) SIMILITUDE_FIELD(take)
   }
 #undef SIMILITUDE_FIELD
   return print.value();
 }
+
+static_assert(layout_hash() == SIMILITUDE_LAYOUT_HASH,
+              "a field that plugins rely on has moved: append to the end of a structure, or begin a new major version");
 
 }  // namespace similitude::abi

@@ -28,7 +28,7 @@ namespace similitude {
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// How the framework turns the real bed's value into the simulated bed's. `by_unit`: N/m as a stiffness, m/s as a
-/// velocity, s as a time, Pa as a modulus, pure numbers, angles and temperatures not at all. In any other unit the author
+/// velocity, s as a time, Pa as a modulus, N, J and J/m^2 as a particle's, pure numbers, angles and temperatures not at all. In any other unit the author
 /// must say: a metre may be a length of the bed or of a particle.
 enum class Scales {
   by_unit = -1,
@@ -39,7 +39,13 @@ enum class Scales {
   as_velocity = SIMILITUDE_SCALES_AS_VELOCITY,
   as_stiffness = SIMILITUDE_SCALES_AS_STIFFNESS,
   as_modulus = SIMILITUDE_SCALES_AS_MODULUS,
-  as_restitution = SIMILITUDE_SCALES_AS_RESTITUTION   // a pure number that some laws change; must be said
+  as_restitution = SIMILITUDE_SCALES_AS_RESTITUTION,   // a pure number that some laws change; must be said
+  as_force = SIMILITUDE_SCALES_AS_FORCE,
+  as_surface_energy = SIMILITUDE_SCALES_AS_SURFACE_ENERGY,
+  as_energy = SIMILITUDE_SCALES_AS_ENERGY,
+  as_diffusivity = SIMILITUDE_SCALES_AS_DIFFUSIVITY,
+  as_rate = SIMILITUDE_SCALES_AS_RATE,
+  refused = SIMILITUDE_SCALES_REFUSED   // a scaled run with this model is an error
 };
 
 struct RealOptions {
@@ -51,6 +57,7 @@ struct RealOptions {
   const char* doc = "";
   const char* reference = nullptr;
   Scales scales_as = Scales::by_unit;
+  const char* taken_from = nullptr;   // "contact": left out, the contact law's parameter of the same name is meant
 };
 
 struct IntegerOptions {
@@ -81,6 +88,10 @@ constexpr std::optional<Scales> scaling_implied_by(std::string_view unit) {
   if (unit == "m/s") return Scales::as_velocity;
   if (unit == "s") return Scales::as_time;
   if (unit == "Pa") return Scales::as_modulus;
+  if (unit == "N") return Scales::as_force;
+  if (unit == "J/m^2") return Scales::as_surface_energy;
+  if (unit == "J") return Scales::as_energy;
+  if (unit == "1/s") return Scales::as_rate;
   if (unit == "1" || unit == "rad" || unit == "deg" || unit == "K") return Scales::not_at_all;
   return std::nullopt;
 }
@@ -104,6 +115,7 @@ class Parameters {
       scales = implied.value_or(Scales::not_at_all);
     }
     row.scales_as = static_cast<std::int32_t>(scales);
+    row.taken_from = o.taken_from;
     add(row, [member](T& model, const similitude_value& value) { model.*member = value.real; });
   }
 

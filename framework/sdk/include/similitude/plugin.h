@@ -21,10 +21,10 @@
 #include <vector>
 
 #include <similitude/abi.h>
+#include <similitude/known_here.h>
 #include <similitude/layout.h>
 #include <similitude/parameters.h>
-
-#define SIMILITUDE_EXPORT __attribute__((visibility("default")))
+#include <similitude/tag.h>
 
 namespace similitude {
 
@@ -60,15 +60,6 @@ const T& model_of(const void* model) {
 template <class T>
 T& model_of(void* model) {
   return static_cast<Made<T>*>(model)->sets.front();
-}
-
-/// A structure of the boundary as this plugin knows it: what an older host does not fill is zero.
-template <class S>
-S as_known_here(const S* given) {
-  S copy{};
-  std::memcpy(static_cast<void*>(&copy), given, std::min<std::size_t>(given->struct_size, sizeof copy));
-  copy.struct_size = sizeof copy;
-  return copy;
 }
 
 inline void refuse(similitude_status* status, const char* why, std::int32_t row = -1) {
@@ -158,32 +149,9 @@ similitude_descriptor describe_model(const char* kind, const void* functions, co
   return d;
 }
 
-/// The least level that has all vector instructions this file is compiled for.
-constexpr const char* instruction_set() {
-#if defined(__AVX512F__)
-  return "x86-64-v4";
-#elif defined(__AVX__) || defined(__AVX2__) || defined(__FMA__) || defined(__BMI__) || defined(__BMI2__)
-  return "x86-64-v3";
-#elif defined(__SSE3__) || defined(__SSSE3__) || defined(__SSE4_1__) || defined(__SSE4_2__) || defined(__POPCNT__)
-  return "x86-64-v2";
-#elif defined(__x86_64__)
-  return "x86-64";
-#elif defined(__aarch64__)
-  return "aarch64";
-#else
-  return "unknown";
-#endif
-}
-
-constexpr const char* compiler() {
-#if defined(__clang__)
-  return "clang " __clang_version__;
-#elif defined(__GNUC__)
-  return "gcc " __VERSION__;
-#else
-  return "unknown";
-#endif
-}
+/// What this file is compiled with and for.
+constexpr const char* compiler() { return SIMILITUDE_COMPILER; }
+constexpr const char* instruction_set() { return SIMILITUDE_INSTRUCTION_SET; }
 
 template <std::size_t N>
 constexpr void copy_text(const char* from, char (&to)[N]) {

@@ -1,4 +1,4 @@
-#include "study/csv_table.h"
+#include "output/csv_table.h"
 
 #include <algorithm>
 #include <cstdlib>
