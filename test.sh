@@ -15,10 +15,12 @@ test_packages=(
   python3-jsonschema python3-yaml                         # validate the schema of case files
 )
 ci_packages=(
+  gfortran                 # a drag law in Fortran
+  dpkg-dev debootstrap     # Debian packages, and a clean Debian to install them in
   clang libomp-dev valgrind                        # valgrind counts instructions
   chromium chromium-driver python3-selenium        # reports as people see them
 )
-long_packages=(paraview xvfb)
+long_packages=(paraview xvfb dpkg-dev debootstrap)
 
 # run_ctest FOLDER ARGS…: the tests of a build folder, two at a time.
 run_ctest() {

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <new>
 
 #include "app/commands.h"
 #include "app/waiting_threads.h"
@@ -56,6 +57,10 @@ int main(int argc, char** argv) {
     return refuse(error, k_plugin);
   } catch (const similitude::SimulationError& error) {
     return refuse(error, k_stopped_by_guard);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "error: there is not enough memory for this case.\n  Use larger cells or fewer particles: `similitude check` prints the bytes "
+                 "of each.\n";
+    return k_wrong_input;
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << "\n  This is a fault of the program: please report it with the case file.\n";
     return k_stopped_by_guard;

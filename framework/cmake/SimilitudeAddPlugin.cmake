@@ -7,7 +7,7 @@
 #
 # The target is <kind>_<name>. Out of tree, after enable_testing(), the test <kind>_<name>_doctor has the program examine the
 # library (`similitude plugins doctor`). This file serves the framework's own plugins and, installed, everybody else's:
-#   find_package(similitude 0.1 REQUIRED COMPONENTS sdk)
+#   find_package(similitude 1.0 REQUIRED COMPONENTS sdk)
 #   similitude_add_plugin(my_law KIND drag SOURCES my_law.cpp)
 # There the library lands in the project's build folder, which a case names under plugin_paths, and `cmake --install`
 # puts it where the program under the same prefix finds it. SIMILITUDE_MARCH chooses the instruction set (native).
@@ -64,7 +64,7 @@ function(similitude_add_plugin name)
   if(ARG_KIND STREQUAL fluid)
     if(NOT TARGET ${framework})
       message(FATAL_ERROR "similitude_add_plugin(${name}): a fluid plugin links libsimilitude. "
-        "Ask for it: find_package(similitude 0.1 REQUIRED COMPONENTS sdk framework).")
+        "Ask for it: find_package(similitude 1.0 REQUIRED COMPONENTS sdk framework).")
     endif()
     target_link_libraries(${target} PRIVATE ${framework})
     set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/../..")

@@ -30,8 +30,8 @@ foreach(component sdk framework)
     DESTINATION ${SIMILITUDE_PACKAGE_DIRECTORY} COMPONENT development)
 endforeach()
 
-# The ABI may break with every 0.x, so another minor version is another package.
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/similitude-config-version.cmake COMPATIBILITY SameMinorVersion)
+# Sources of plugins for 1.x build with the headers of 1.y, y >= x.
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/similitude-config-version.cmake COMPATIBILITY SameMajorVersion)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/similitude-config.cmake.in ${CMAKE_BINARY_DIR}/similitude-config.cmake
   INSTALL_DESTINATION ${SIMILITUDE_PACKAGE_DIRECTORY} PATH_VARS CMAKE_INSTALL_BINDIR NO_SET_AND_CHECK_MACRO)
 install(FILES

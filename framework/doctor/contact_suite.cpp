@@ -220,7 +220,7 @@ Outcome check_stable_step(const PluginEntry& plugin) {
       if (!(swing <= most_growth))
         return fail(fmt::format("at 0.95 of the step it calls stable, {:.3g} s, a pressed contact swings ever wider: {:.3g} times after {} steps.",
                                 told_stable_step(law, start), swing, step + 1),
-                    "A linear spring-dashpot's limit is 2 (sqrt(1 + zeta^2) - zeta)/w0: similitude::stable_step() in restitution.h.");
+                    "In a packed bed a linear spring-dashpot's limit is (sqrt(1 + 4 zeta^2) - 2 zeta)/w0: similitude::stable_step_in_a_bed() in restitution.h.");
     }
   }
   return ok(fmt::format("at 0.95 of it a pressed contact swings by {:.2g} times its disturbance at most, over 500 steps", widest));

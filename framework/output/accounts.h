@@ -15,7 +15,7 @@ namespace similitude {
 struct Balances {
   double momentum = 0;   // of the particles, over the sum of the impulses' magnitudes
   double energy = 0;     // of the particles, over the sum of the works' magnitudes
-  double gas_mass = 0;   // over what came in and went out, or in a closed box over what there is
+  double gas_mass = 0;   // over what came in and went out, or over what there is if that is more
   /// Of the gas, over what it was given and what it gave: wall friction and half a cell at the boundary are in it, some per cent.
   double gas_momentum = 0;
 };

@@ -36,7 +36,7 @@ struct Machine {
 Machine this_machine();
 
 struct Manifest {
-  std::string program_version;  // "0.1.0"
+  std::string program_version;  // "1.0.0"
   std::string command;          // as typed
   std::string case_file;
   std::vector<ManifestPlugin> plugins;

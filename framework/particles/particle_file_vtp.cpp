@@ -1,8 +1,11 @@
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
@@ -15,12 +18,34 @@ namespace similitude {
 
 namespace {
 
-/// Notes that the reader complained; VTK would otherwise write to the terminal and go on.
-class Complaint : public vtkCommand {
+/// Notes that VTK complained; it would otherwise write to the terminal and go on. The parts of a reader complain each for
+/// themselves, so their common way out is listened to while a file is read.
+class Complaint : public vtkOutputWindow {
  public:
   static Complaint* New() { return new Complaint; }
-  void Execute(vtkObject*, unsigned long, void*) override { heard = true; }
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char*) override { heard = true; }
+  void DisplayWarningText(const char*) override {}
   bool heard = false;
+};
+
+class Listening {
+ public:
+  explicit Listening(vtkOutputWindow* instead)
+      : before_(vtkOutputWindow::GetInstance()), verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(instead);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // it writes beside the window
+  }
+  ~Listening() {
+    vtkOutputWindow::SetInstance(before_);
+    vtkLogger::SetStderrVerbosity(verbosity_);
+  }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkLogger::Verbosity verbosity_;
 };
 
 /// The point array of that name, with or without its unit; null if there is none.
@@ -32,6 +57,10 @@ vtkDataArray* array_of(vtkPolyData& data, const std::string& name, const std::st
                      (components == 1 ? " component" : " components") + ", found " +
                      std::to_string(array->GetNumberOfComponents()) + ".");
   }
+  if (array && array->GetNumberOfTuples() != data.GetNumberOfPoints()) {
+    throw InputError(file + ": the point array " + name + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
+                     std::to_string(data.GetNumberOfPoints()) + " points.");
+  }
   return array;
 }
 
@@ -39,16 +68,22 @@ vtkDataArray* array_of(vtkPolyData& data, const std::string& name, const std::st
 
 std::vector<FileParticle> read_vtp_particles(const std::string& file) {
   if (!std::filesystem::is_regular_file(file)) throw InputError("cannot read the particle file " + file + ".");
-  vtkNew<vtkXMLPolyDataReader> reader;
   vtkNew<Complaint> complaint;
-  reader->AddObserver(vtkCommand::ErrorEvent, complaint);
+  const Listening listening(complaint);
+  vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(file.c_str());
   vtkPolyData* data = nullptr;
-  if (reader->CanReadFile(file.c_str())) {
-    reader->Update();
-    data = reader->GetOutput();
+  try {
+    if (reader->CanReadFile(file.c_str())) {
+      reader->Update();
+      data = reader->GetOutput();
+    }
+  } catch (const std::exception&) {   // an attribute that VTK takes for a size
+    complaint->heard = true;
   }
-  if (!data || complaint->heard) {
+  // A piece may promise any number of points, and VTK believes it.
+  const bool points_missing = data && data->GetPoints() && data->GetPoints()->GetData()->GetSize() < 3 * data->GetNumberOfPoints();
+  if (!data || complaint->heard || data->GetNumberOfPoints() < 0 || points_missing) {
     throw InputError(file + ": expected a VTK XML PolyData file (.vtp).", "In ParaView: Save Data, as *.vtp.");
   }
 

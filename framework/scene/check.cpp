@@ -1,6 +1,7 @@
 #include "scene/check.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include <similitude/abi.h>
@@ -15,6 +16,8 @@ namespace {
 // Relative to what is compared: only rounding is forgiven.
 constexpr double k_rounding = 1e-9;
 
+constexpr double k_most_cells = 1e9;   // [-], each needs some hundred bytes, and its number 32 bits
+
 constexpr std::array k_axes{Axis::x, Axis::y, Axis::z};
 std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 std::string letter(Axis axis) { return std::string(1, axis_name(axis)); }
@@ -23,6 +26,10 @@ void check_cells(const RealScene& scene, const Document& document) {
   const std::string path = "scene.domain.size";
   for (const Axis axis : k_axes) {
     const double size = scene.size[index(axis)], cell = scene.cell[index(axis)];
+    if (size < cell / 2)
+      throw InputError(document.mark("scene.domain.cell"), "scene.domain.cell",
+                       "a cell of " + in_mm(cell) + " is larger than the domain, which has " + in_mm(size) + " along " + letter(axis) + ".",
+                       "Use cells of " + in_mm(size) + " or less.");
     const Aligned near = align(size, cell);
     if (near.ok) continue;
     throw InputError(document.mark(path + "." + std::to_string(index(axis))), path,
@@ -30,6 +37,13 @@ void check_cells(const RealScene& scene, const Document& document) {
                      near.low > 0 ? off_face_fix(size, cell)
                                   : "Use " + in_mm(near.high) + ", or set scene.domain.cell: " + in_mm(size) + ".");
   }
+  double cells = 1;
+  for (const Axis axis : k_axes) cells *= scene.size[index(axis)] / scene.cell[index(axis)];
+  if (cells <= k_most_cells) return;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", cells);
+  throw InputError(document.mark("scene.domain.cell"), "scene.domain.cell",
+                   std::string("these are ") + text + " cells, more than the 1e9 that can be simulated.", "Are the units right? Use larger cells.");
 }
 
 void check_particles(const RealScene& scene, const Document& document) {

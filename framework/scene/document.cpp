@@ -104,6 +104,55 @@ std::string DocumentNode::described() const {
   return "";
 }
 
+namespace {
+
+/// How many bytes follow this lead byte of UTF-8; -1 if it is none. RFC 3629, section 4.
+int bytes_after(unsigned char lead) {
+  if (lead < 0x80) return 0;
+  if (lead >= 0xc2 && lead < 0xe0) return 1;
+  if (lead >= 0xe0 && lead < 0xf0) return 2;
+  return lead >= 0xf0 && lead < 0xf5 ? 3 : -1;
+}
+
+/// After some lead bytes the second may not be all of 0x80 to 0xbf: overlong forms, halves of UTF-16 pairs, beyond U+10FFFF.
+bool second_fits(unsigned char lead, unsigned char second) {
+  switch (lead) {
+    case 0xe0: return second >= 0xa0;
+    case 0xed: return second < 0xa0;
+    case 0xf0: return second >= 0x90;
+    case 0xf4: return second < 0x90;
+    default: return true;
+  }
+}
+
+/// Where the text stops being UTF-8, or npos.
+std::size_t first_byte_that_is_not_utf8(const std::string& text) {
+  const auto byte = [&text](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  for (std::size_t at = 0; at < text.size();) {
+    const int more = bytes_after(byte(at));
+    if (more < 0 || text.size() - at <= static_cast<std::size_t>(more)) return at;
+    for (std::size_t n = 1; n <= static_cast<std::size_t>(more); ++n) {
+      if ((byte(at + n) & 0xc0) != 0x80) return at;
+    }
+    if (more > 0 && !second_fits(byte(at), byte(at + 1))) return at;
+    at += static_cast<std::size_t>(more) + 1;
+  }
+  return std::string::npos;
+}
+
+void refuse_other_encodings(const std::string& text, SourceMark mark) {
+  const std::size_t bad = first_byte_that_is_not_utf8(text);
+  if (bad == std::string::npos) return;
+  if (mark.line > 0) {
+    const std::size_t start = bad == 0 ? 0 : text.rfind('\n', bad - 1) + 1;   // npos + 1 is 0
+    mark.line += static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n'));
+    mark.column = static_cast<int>(bad - start) + 1;
+  }
+  throw InputError(mark, "", "this is not text in UTF-8.", "Save the file in UTF-8, or write the character without its accent.");
+}
+
+}  // namespace
+
 Document::Document(const std::filesystem::path& file) {
   std::error_code problem;
   if (!std::filesystem::exists(file, problem)) throw InputError(file.string() + ": there is no such file.");
@@ -112,6 +161,7 @@ Document::Document(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, problem) || stream.bad() || !stream.is_open())
     throw InputError(file.string() + ": this is no file that can be read as a case.",
                      "Give the path of a case file, such as configs/quickstart.yaml.");
+  refuse_other_encodings(text, {file.string(), 1, 0});
   root_ = convert(parse(text, file.string()), file.string(), "", 0);
   root_.mark.file = file.string();
   if (!root_.is_map())
@@ -121,6 +171,7 @@ Document::Document(const std::filesystem::path& file) {
 
 void Document::set(const std::string& assignment) {
   const SourceMark mark{"--set", 0, 0};
+  refuse_other_encodings(assignment, mark);
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0)
     throw InputError(mark, "", "\"" + assignment + "\" is not of the form key=value.",

@@ -1,5 +1,7 @@
 #include "stepper/assembly.h"
 
+#include <fmt/format.h>
+
 #include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
@@ -118,6 +120,22 @@ void check_gas_for_effects(const Assembly& assembly) {
   }
 }
 
+/// The stress of the gas reaches the particles one gas step late (docs/decisions/0008): where the gas that they push aside weighs
+/// more than they do, each step throws them back farther than the one before.
+void refuse_light_particles(const Assembly& assembly) {
+  if (!assembly.coupled() || assembly.added_mass()) return;
+  const ModelScene& bed = assembly.model;
+  for (const ParticleClass& type : bed.particles) {
+    if (type.density >= bed.gas_density) continue;
+    throw InputError(bed.models.fluid.mark, "models.fluid",
+                     fmt::format("the simulated particles {}, of {:.4g} kg/m^3, are lighter than the gas of {:.4g} kg/m^3: its resistance "
+                                 "to being pushed aside, known one gas step late, would throw them about.",
+                                 type.name, type.density, bed.gas_density),
+                     "Give the particles the inertia of the gas around them, models.effects: [virtual_mass], or use fluid: prescribed, which "
+                     "feels nothing of them.");
+  }
+}
+
 }  // namespace
 
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
@@ -153,6 +171,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
   leave_out_unusable_viscosity(assembly);
+  refuse_light_particles(assembly);
   assembly.scalars = plan_scalars(assembly.model, assembly.effects);
   refuse_scaled_scalars(assembly);
   check_gas_for_effects(assembly);

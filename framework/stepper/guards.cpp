@@ -16,8 +16,8 @@ constexpr double k_overlap_to_stop = 0.30;       // of a diameter: no sphere is 
 constexpr double k_courant_to_warn = 0.8;        // accuracy suffers, and a gust may pass the limit
 constexpr double k_courant_to_stop = 1.0;        // explicit advection is unbounded beyond
 constexpr double k_mass_residual_to_warn = 1e-5; // of the throughput, per step
-constexpr double k_gas_balance_to_warn = 1e-5;   // of all that flowed: a hundred times the solver's own tolerance
-constexpr double k_gas_balance_to_stop = 1e-2;   // of all that flowed: a bed's expansion or pressure drop is no better then
+constexpr double k_gas_balance_to_warn = 1e-5;   // of all that flowed or was there: a hundred times the solver's own tolerance
+constexpr double k_gas_balance_to_stop = 1e-2;   // of all that flowed or was there: a bed's expansion or pressure drop is no better then
 constexpr double k_rounding_to_stop = 1e-6;      // of all that was exchanged: roundings of 1e8 sub-steps, were they all to one side, give 1e-8
 constexpr double k_smallest_gas_fraction = 0.10; // denser than any packing of overlapping spheres that means something
 
@@ -90,7 +90,7 @@ void Guards::check_balances(const Balances& balances, double time) {
   stop_at("momentum", balances.momentum);
   stop_at("energy", balances.energy);
   const auto drift = [&] {
-    return fmt::format("the gas in the bed and what flowed in and out differ by {:.2g} of the throughput at t = {:.6g} s", balances.gas_mass,
+    return fmt::format("the gas in the bed and what flowed in and out differ by {:.2g} of what flowed or was there at t = {:.6g} s", balances.gas_mass,
                        time / ratios_.time);
   };
   if (!(balances.gas_mass <= k_gas_balance_to_stop)) {

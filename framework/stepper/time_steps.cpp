@@ -14,6 +14,7 @@ namespace similitude {
 namespace {
 
 constexpr double k_steps_per_contact = 20;     // DEM: t_c/20, as Fluent and MFIX advise between 15 and 50
+constexpr double k_share_of_stable = 0.5;      // heavily damped contacts: t_c/20 may lie beyond what is stable
 constexpr double k_advised_courant = 0.5;      // the TVD advection's own bound
 constexpr double k_jet_overshoot = 2;          // interstitial over superficial speed where a jet meets a packed bed
 constexpr double k_motion_per_step = 0.1;      // of a diameter per sub-step, of a cell per gas step: lists and K stay valid
@@ -62,6 +63,11 @@ TimeStepLimit contact_limit(const Assembly& assembly) {
     if (hard < limit.hard) limit.hard = hard, least_stable = impact.materials;
   }
   const auto& classes = assembly.model.particles;
+  if (limit.advised > k_share_of_stable * limit.hard) {
+    limit.advised = k_share_of_stable * limit.hard;
+    limit.because = "half of what is stable in a packed bed with contacts damped so heavily";
+    return limit;
+  }
   if (classes.size() == 1 && assembly.contact.sets() == 1) {
     limit.because = fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact);
     return limit;

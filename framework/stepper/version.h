@@ -2,7 +2,7 @@
 
 namespace similitude {
 
-/// The program's version, "0.1.0".
+/// The program's version, "1.0.0".
 const char* program_version();
 
 }  // namespace similitude

@@ -7,7 +7,8 @@ namespace {
 
 const std::string k_damping = "Take the damping from the restitution and the pair's effective mass: similitude::damping_ratio() in restitution.h.";
 const std::string k_duration = "contact_time is the duration of a head-on impact; leave it out, and the SDK plays one.";
-const std::string k_stable = "A linear spring-dashpot's limit is 2 (sqrt(1 + zeta^2) - zeta)/w0: similitude::stable_step() in restitution.h.";
+const std::string k_stable =
+    "In a packed bed a linear spring-dashpot's limit is (sqrt(1 + 4 zeta^2) - 2 zeta)/w0: similitude::stable_step_in_a_bed() in restitution.h.";
 
 TEST(DoctorOnContactLaws, FindsWhatIsWrong) {
   const Examination examination = examine(library("contact_laws"));

@@ -18,7 +18,7 @@ TEST(Doctor, TellsOfAFileThatIsNotThere) {
 TEST(Doctor, TellsOfAnotherAbiWithoutLoadingTheFile) {
   const Examination examination = examine(animal("other_major"));
   EXPECT_EQ(outcome(examination, "", "tag").verdict, Verdict::ok);
-  EXPECT_THAT(outcome(examination, "", "fits").seen, testing::StartsWith("built for plugin ABI 7.1, this program offers ABI "));
+  EXPECT_THAT(outcome(examination, "", "fits").seen, testing::StartsWith("built for plugin ABI 7.0, this program offers ABI "));
   EXPECT_EQ(examination.findings.size(), 2u);
 }
 
@@ -40,7 +40,7 @@ TEST(Doctor, SurvivesAFileThatCrashesWhileItIsLoaded) {
 
 TEST(Doctor, ReportsALinePerCheckAndWhatToDoUnderWhatFailed) {
   const Examination examination{"/home/me/drag_law.so",
-                                {{"", "tag", ok("plugin ABI 0.1")},
+                                {{"", "tag", ok("plugin ABI 1.0")},
                                  {"drag model law", "made", ok("with its defaults")},
                                  {"drag model law", "limits", fail("K steps.\nTwice.", "Mend it.")},
                                  {"drag model law", "threads", skipped("\"limits\" failed")}}};
@@ -48,7 +48,7 @@ TEST(Doctor, ReportsALinePerCheckAndWhatToDoUnderWhatFailed) {
             "/home/me/drag_law.so\n"
             "\n"
             "file\n"
-            "  ok       tag      plugin ABI 0.1\n"
+            "  ok       tag      plugin ABI 1.0\n"
             "\n"
             "drag model law\n"
             "  ok       made     with its defaults\n"
@@ -61,7 +61,7 @@ TEST(Doctor, ReportsALinePerCheckAndWhatToDoUnderWhatFailed) {
   const nlohmann::json page = examination_json(examination);
   EXPECT_EQ(page["file"], "/home/me/drag_law.so");
   EXPECT_EQ(page["healthy"], false);
-  EXPECT_EQ(page["findings"][0], nlohmann::json({{"model", nullptr}, {"check", "tag"}, {"verdict", "ok"}, {"seen", "plugin ABI 0.1"}, {"advice", ""}}));
+  EXPECT_EQ(page["findings"][0], nlohmann::json({{"model", nullptr}, {"check", "tag"}, {"verdict", "ok"}, {"seen", "plugin ABI 1.0"}, {"advice", ""}}));
   EXPECT_EQ(page["findings"][2]["verdict"], "FAIL");
 }
 

@@ -57,7 +57,7 @@ refused() {
   expect_failure "similitude_add_plugin(law): there is no kind \"friction\". Use KIND with one of: drag;contact;fluid;scaling;effect." \
     configure "$folder" -DKIND=friction
   rm -rf "$folder/build"
-  expect_failure "similitude_add_plugin(law): a fluid plugin links libsimilitude. Ask for it: find_package(similitude 0.1 REQUIRED COMPONENTS sdk framework)." \
+  expect_failure "similitude_add_plugin(law): a fluid plugin links libsimilitude. Ask for it: find_package(similitude 1.0 REQUIRED COMPONENTS sdk framework)." \
     configure "$folder" -DKIND=fluid
   rm -rf "$folder/build"
   expect_failure "Similitude has no component \"gui\". Its components are sdk and framework." configure "$folder" -DCOMPONENT=gui

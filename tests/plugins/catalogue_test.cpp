@@ -95,7 +95,7 @@ TEST(Catalogue, AMissingModelNamesTheRefusedFilesThatMayContainIt) {
             "  2 files were refused and may contain it (`similitude plugins failures` says what to do):\n"
             "    " +
                 cage.path("drag_other_major.so") +
-                ": built for plugin ABI 7.1, this program offers ABI 0.1.\n"
+                ": built for plugin ABI 7.0, this program offers ABI 1.0.\n"
                 "    " +
                 cage.path("mine.so") +
                 ": it is not a library (no ELF file).\n"

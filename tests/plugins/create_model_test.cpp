@@ -89,7 +89,8 @@ constexpr similitude_parameter k_manner{sizeof(similitude_parameter),
                                         0,
                                         0,
                                         0,
-                                        0};
+                                        0,
+                                        nullptr};
 constexpr similitude_descriptor k_watched{sizeof(similitude_descriptor),
                                           1,
                                           "effect",

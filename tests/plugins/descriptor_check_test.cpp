@@ -41,7 +41,11 @@ struct Library {
   similitude_fluid_functions fluid{
       sizeof(similitude_fluid_functions), 1, initialise, advance, nullptr, nullptr, nullptr, nullptr, nullptr};
   similitude_scaling_functions scaling{sizeof(similitude_scaling_functions), 0, nullptr};
-  similitude_effect_functions effect{.struct_size = sizeof(similitude_effect_functions)};
+  similitude_effect_functions effect = [] {
+    similitude_effect_functions none{};
+    none.struct_size = sizeof none;
+    return none;
+  }();
   similitude_descriptor model{sizeof(similitude_descriptor),
                               2,
                               "drag",

@@ -80,17 +80,17 @@ TEST(Zoo, ATagWithAnotherMagicIsNotOurs) {
 }
 
 TEST(Zoo, AnotherMajorIsRefusedWithBothSides) {
-  expect_refusal("other_major", "built for plugin ABI 7.1, this program offers ABI 0.1.", k_rebuild + k_both_sides);
+  expect_refusal("other_major", "built for plugin ABI 7.0, this program offers ABI 1.0.", k_rebuild + k_both_sides);
 }
 
 TEST(Zoo, ANewerMinorIsRefusedWithBothSides) {
-  expect_refusal("newer_minor", "built for plugin ABI 0.99, this program offers ABI 0.1.",
+  expect_refusal("newer_minor", "built for plugin ABI 1.99, this program offers ABI 1.0.",
                  "Update Similitude, or build the plugin for this one.\n" + k_rebuild + k_both_sides);
 }
 
 TEST(Zoo, AnotherLayoutIsRefusedWithBothHashes) {
   expect_refusal("other_layout",
-                 "built for plugin ABI 0.1 with another layout of its structures (deadbeef, this program's is " +
+                 "built for plugin ABI 1.0 with another layout of its structures (deadbeef, this program's is " +
                      text_of_layout_hash() + ").",
                  k_rebuild + k_both_sides);
 }

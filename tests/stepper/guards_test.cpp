@@ -54,9 +54,9 @@ TEST(Guards, DriftingGasWarnsOnceAndThenStops) {
   watched.guards.check_balances({.gas_mass = 3e-5}, 0.6);
   ASSERT_EQ(watched.warnings.size(), 1u);
   EXPECT_EQ(watched.warnings[0],
-            "the gas in the bed and what flowed in and out differ by 2e-05 of the throughput at t = 0.5 s; beyond 0.01 the run stops.");
+            "the gas in the bed and what flowed in and out differ by 2e-05 of what flowed or was there at t = 0.5 s; beyond 0.01 the run stops.");
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.gas_mass = 0.02}, 0.7); }),
-            "the gas in the bed and what flowed in and out differ by 0.02 of the throughput at t = 0.7 s; more than 0.01 makes every gas "
+            "the gas in the bed and what flowed in and out differ by 0.02 of what flowed or was there at t = 0.7 s; more than 0.01 makes every gas "
             "flow doubtful.\n"
             "  Lower the gas solver's tolerance or time.gas_dt.");
 }

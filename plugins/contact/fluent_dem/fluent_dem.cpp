@@ -65,7 +65,7 @@ struct FluentDem {
   }
 
   double largest_stable_step(double effective_mass, double, double) const {
-    return sqrt(effective_mass / stiffness) * stable_step(damping);
+    return sqrt(effective_mass / stiffness) * stable_step_in_a_bed(damping);
   }
 };
 

@@ -82,8 +82,8 @@ struct LinearSpring {
   /// Of the normal and, with friction, the tangential spring.
   double largest_stable_step(double effective_mass, double, double) const {
     const double unit = sqrt(effective_mass / stiffness);
-    if (!remembers()) return unit * stable_step(damping);
-    return unit * min(stable_step(damping), stable_tangential_step(tangential_stiffness_ratio, tangential_damping_ratio * damping));
+    if (!remembers()) return unit * stable_step_in_a_bed(damping);
+    return unit * min(stable_step_in_a_bed(damping), stable_tangential_step(tangential_stiffness_ratio, tangential_damping_ratio * damping));
   }
 };
 

@@ -45,7 +45,8 @@ inline constexpr similitude_parameter k_factor{sizeof(similitude_parameter),
                                                0,
                                                1,
                                                0,
-                                               0};
+                                               0,
+                                               nullptr};
 
 constexpr similitude_descriptor sound_model(const char* id) {
   return {sizeof(similitude_descriptor),

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "drag_probe.h"
+#include "record.h"
 #include "small_bed.h"
 
 namespace similitude::test {
@@ -121,7 +122,9 @@ TEST_P(FixedSlab, HasTheClosedFormPressureDropOfItsDragLaw) {
   const double slip = 1.0;   // [m/s]
   const auto bed = steady_slab(pitch, gas_fraction_at(pitch) * slip, slab.drag, slab.fluid);
   const double expected = closed_form(*bed, pitch, slip);
-  EXPECT_NEAR(pressure_gradient(*bed), expected, 0.01 * expected);
+  const double gradient = pressure_gradient(*bed);
+  EXPECT_NEAR(gradient, expected, 0.01 * expected);
+  record({"pressure drop of a slab of fixed spheres", "closed form of the drag law", percent(std::abs(gradient / expected - 1)), ""});
 }
 
 /// "gidaspow_pitch_150"
@@ -172,6 +175,7 @@ TEST_P(MinimumFluidization, OfAUniformBedIsWhereItsNetForceVanishes) {
     lift = lift_at(now);
   }
   EXPECT_NEAR(now, GetParam().velocity, 0.01 * GetParam().velocity);
+  record({"velocity at which a uniform bed is weightless", "closed form (Ergun)", percent(std::abs(now / GetParam().velocity - 1)), ""});
   std::printf("  %s: weightless at %.4f m/s\n", GetParam().name, now);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ramp_bed.h"
+#include "record.h"
 
 namespace similitude::test {
 namespace {
@@ -68,6 +69,8 @@ TEST_P(SlowRamp, FindsTheDragLawsMinimumFluidizationVelocityAndCarriesTheBed) {
   const double expected = minimum_fluidization_velocity(bed->assembly->drag, gas_fraction);
   EXPECT_NEAR(crossing, expected, 0.05 * expected);
   RecordProperty("u_mf", fmt::format("{:.4f}", crossing));
+  record({"minimum fluidisation of a settled bed", "the drag law's own at the bed's gas fraction",
+          percent(std::abs(crossing / expected - 1)), ""});
   std::printf("  %s in %s: u_mf %.4f m/s at eps %.4f; the law's own %.4f; plateau %.1f Pa of %.1f Pa\n", ramp.drag.c_str(),
               ramp.fluid.c_str(), crossing, gas_fraction,
               expected, plateau, weight);

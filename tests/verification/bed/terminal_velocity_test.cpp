@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "record.h"
 #include "small_bed.h"
 
 namespace similitude::test {
@@ -37,6 +38,8 @@ time: {end: 10 s, dt: 1e-4 s, gas_dt: 1e-4 s}
   const auto bed = small_bed(yaml, &particles);
   while (bed->simulation->time() < fall.fall_time) bed->simulation->step();
   EXPECT_NEAR(-bed->simulation->particles().velocity[0].z, fall.velocity, 1e-3 * fall.velocity);
+  record({"terminal velocity of a sphere", "Schiller & Naumann, bisection",
+          percent(std::abs(-bed->simulation->particles().velocity[0].z / fall.velocity - 1)), ""});
   EXPECT_NEAR(bed->simulation->particles().velocity[0].x, 0, 1e-12 * fall.velocity);
 }
 

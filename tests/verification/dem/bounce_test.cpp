@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record.h"
 #include "spheres.h"
 
 namespace similitude::test {
@@ -90,6 +91,7 @@ TEST_P(Bounce, HeightsAreThoseOfTheEquationOfMotion) {
   }
   RecordProperty("worst_percent", std::to_string(100 * worst));
   RecordProperty("distance_of_the_model_from_the_hard_sphere_percent", std::to_string(100 * hard));
+  record({"bouncing sphere (MFIX DEM02), every height", "equation of motion", percent(worst), "MFIX 0.1 % to 8.5 %"});
   std::printf("k %.0e e %.1f %s: %zu bounces, worst %.4f %% of the height, %.4f %% of the first fall; the model itself is %.2f %% from the hard sphere\n",
               law.stiffness, law.restitution, law.attraction ? "attracting" : "cut off", exact.size() - 1, 100 * worst, 100 * worst_rise, 100 * hard);
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "record.h"
 #include "spheres.h"
 
 namespace similitude::test {
@@ -45,6 +46,7 @@ TEST(MfixDem04, ASlidingSphereRollsOnASpring) {
                            {"tangential_damping_ratio", 0.5}, {"attraction", 0}};
     expect_rolling(slide_to_roll(LINEAR_SPRING, values, k_ball.mass() * k_gravity / 1e4, friction, 1e-6), friction);
   }
+  record({"slide to roll (MFIX DEM04)", "closed form", "below 0.57 % (time), 0.017 % (speed), 0.042 % (spin)", "MFIX the same"});
 }
 
 TEST(MfixDem04, ASlidingSphereRollsOnHertzsContact) {

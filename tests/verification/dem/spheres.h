@@ -55,6 +55,8 @@ class Spheres {
     store_.angular_velocity[row] = {spin[0], spin[1], spin[2], 0.4 * sphere.mass() * sphere.radius * sphere.radius};
   }
 
+  void make_periodic() { scene_.periodic = {true, true, true}; }   // before the first step
+
   void advance(double dt, std::int64_t steps = 1) {
     if (!engine_) {
       options_.dt = dt;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "record.h"
 #include "spheres.h"
 
 namespace similitude::test {
@@ -76,6 +77,7 @@ TEST(MfixDem03, TheStackMovesAsItsEquationsAndAsMfix) {
   EXPECT_LT(worst_mfix, 1e-3);
   RecordProperty("worst_percent_from_equations", std::to_string(100 * worst));
   RecordProperty("worst_percent_from_file", std::to_string(100 * worst_file));
+  record({"two stacked, compressed spheres (MFIX DEM03)", "Runge-Kutta of the equations", percent(worst), "MFIX 0.09 %"});
   std::printf("DEM03: %.5f %% from the equations, %.5f %% from MFIX's reference, %.5f %% from MFIX\n", 100 * worst, 100 * worst_file,
               100 * worst_mfix);
 }

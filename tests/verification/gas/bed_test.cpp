@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "record.h"
 #include "gas_run.h"
 
 namespace similitude {
@@ -90,6 +91,8 @@ double bernoulli_error(int cells) {
 
 TEST(GasFractionChange, KeepsTheFluxConstantAndTendsToBernoulliAtSecondOrder) {
   const double coarse = bernoulli_error(40), fine = bernoulli_error(80);
+  test::record({"flow through a change of gas fraction, 1 to 0.5 and back", "eps u constant, Bernoulli",
+                fmt::format("order {:.2f}, {} of the head", std::log2(coarse / fine), test::percent(fine)), ""});
   EXPECT_LT(coarse, 0.005);
   EXPECT_GT(coarse / fine, 3);  // 4 but for the limiter at the ends of the change
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "record.h"
 #include "gas_run.h"
 
 namespace similitude {
@@ -49,6 +50,8 @@ double channel_error(int cells_across) {
 TEST(Poiseuille, ConvergesToTheParabolaAtSecondOrder) {
   const double coarse = channel_error(8), middle = channel_error(16), fine = channel_error(32);
   std::printf("errors %.3g %.3g %.3g m/s: factors %.3f %.3f\n", coarse, middle, fine, coarse / middle, middle / fine);
+  test::record({"flow between plates (MFIX FLD01), 8 to 32 cells", "Poiseuille's parabola",
+                fmt::format("order {:.2f}, {} of the fastest", std::log2(middle / fine), test::percent(fine / 15)), "MFIX order 2"});
   EXPECT_GT(coarse / middle, 3.6);  // 4 in the limit
   EXPECT_GT(middle / fine, 3.6);
   EXPECT_LT(fine, 0.005 * 15);

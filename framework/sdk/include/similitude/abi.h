@@ -1,7 +1,8 @@
 /*
  * The boundary between Similitude and its plugins: plain C structures, nothing else.
  *
- * Every structure starts with its own size and grows only at the end. A null function pointer is a hook the
+ * Frozen as 1.0: a minor version appends and changes nothing else (docs/plugin-authors/promise.md).
+ * Every structure starts with its own size and grows only at the end; structures that stand in arrays never grow. A null function pointer is a hook the
  * plugin does not have. No exception, standard-library type or Eigen type crosses. Strings are UTF-8, zero-ended,
  * static, and owned by whoever wrote them. Quantities are SI. Plugins are loaded once and never unloaded.
  *
@@ -19,11 +20,12 @@
 extern "C" {
 #endif
 
-#define SIMILITUDE_ABI_MAJOR 0
-#define SIMILITUDE_ABI_MINOR 1
+#define SIMILITUDE_ABI_MAJOR 1
+#define SIMILITUDE_ABI_MINOR 0
 
-/* Fingerprint of where every field lies that existed in <major>.0. layout.h computes it and compares. */
-#define SIMILITUDE_LAYOUT_HASH 0x3d92ed4eu
+/* Fingerprint of where every field lies that existed in 1.0. layout.h computes it and compares; it changes with the major
+ * version only. */
+#define SIMILITUDE_LAYOUT_HASH 0x12cb8fbeu
 
 /* The one symbol a plugin exports, and the ELF section its tag lies in. */
 #define SIMILITUDE_ENTRY_SYMBOL "similitude_plugin"
@@ -190,7 +192,7 @@ typedef struct similitude_contact_functions {
   void (*forces)(const void* model, const similitude_contact_block* block, similitude_status* status);   /* [worker] */
   /* [s], of a head-on impact at relative speed v. [setup] */
   double (*contact_time)(const void* model, uint32_t pair, double effective_mass, double effective_radius, double speed);
-  /* [s], beyond it the explicit step of one contact is unstable. [setup] */
+  /* [s], beyond it explicit steps of a packed bed are unstable. [setup] */
   double (*largest_stable_step)(const void* model, uint32_t pair, double effective_mass, double effective_radius,
                                 double speed);
   double (*reach)(const void* model, double diameter);                 /* [m], optional: null means 0. [setup] */

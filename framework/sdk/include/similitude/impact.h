@@ -38,14 +38,15 @@ double head_on_force(const Law& law, double effective_mass, double effective_rad
 template <class Law>
 Impact head_on_impact(const Law& law, double effective_mass, double effective_radius, double speed) {
   const double energy = effective_mass * speed * speed;
+  constexpr int steps_per_scale = 1000, longest = 100 * steps_per_scale;
+  const auto step_of = [speed](double scale) { return scale / (steps_per_scale * speed); };   // [s], never 0: laws divide by it
   double small = 1e-12 * effective_radius, large = 1e3 * effective_radius;
   for (int halving = 0; halving < 60; ++halving) {
     const double overlap = std::sqrt(small * large);
-    const double force = head_on_force(law, effective_mass, effective_radius, overlap, 0.0, 0.0);
+    const double force = head_on_force(law, effective_mass, effective_radius, overlap, 0.0, step_of(overlap));
     (force * overlap < energy ? small : large) = overlap;
   }
-  constexpr int steps_per_scale = 1000, longest = 100 * steps_per_scale;
-  const double dt = large / (steps_per_scale * speed);
+  const double dt = step_of(large);
   Impact impact;
   double overlap = 0, velocity = -speed;
   for (int step = 1; step <= longest; ++step) {
@@ -67,7 +68,7 @@ inline double largest_stable_step_of(const Impact& impact) {
   constexpr double least = 0.01;   // below it the damping no longer changes the answer by more than its own error
   const double loss = std::log(impact.restitution > least ? impact.restitution : least);
   const double zeta = damping_ratio(std::exp(loss));
-  return stable_step(zeta) * impact.duration / std::sqrt(k_pi * k_pi + loss * loss);
+  return stable_step_in_a_bed(zeta) * impact.duration / std::sqrt(k_pi * k_pi + loss * loss);
 }
 
 }  // namespace similitude

@@ -153,7 +153,7 @@ constexpr std::uint32_t layout_hash() {
     using Struct = similitude_fluid_functions;
     SIMILITUDE_FIELD(struct_size) SIMILITUDE_FIELD(sees_particles) SIMILITUDE_FIELD(initialise) SIMILITUDE_FIELD(advance)
     SIMILITUDE_FIELD(largest_stable_step) SIMILITUDE_FIELD(state_size) SIMILITUDE_FIELD(save_state)
-    SIMILITUDE_FIELD(load_state)
+    SIMILITUDE_FIELD(load_state) SIMILITUDE_FIELD(needs)
   }
   {
     using Struct = similitude_quantity;

@@ -13,9 +13,12 @@ struct @Type@ {
   }
 
   /// Without it the effect cannot tell whether a bed calls for it.
-  similitude::Relevance relevance(const similitude::Bed&) const {
-    return {share > 0.01 ? similitude::Verdict::needed : similitude::Verdict::negligible, share, 0.01,
-            "added over Stokes' drag", "drag laws are not known to a percent"};
+  similitude::Relevance relevance(const similitude::Evidence&) const {
+    return {.verdict = share > 0.01 ? similitude::Verdict::needed : similitude::Verdict::negligible,
+            .value = share,
+            .threshold = 0.01,
+            .group = "added over Stokes' drag",
+            .source = "drag laws are not known to a percent"};
   }
 
   /// On one particle; the gas receives the opposite.
