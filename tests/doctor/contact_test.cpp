@@ -28,7 +28,7 @@ TEST(DoctorOnContactLaws, FindsWhatIsWrong) {
        {"largest stable step"}},
       {"contact model half_damped", "restitution", "a head-on impact at 0.5 m/s with a restitution of 0.5 rebounds with 0.7115.", k_damping},
       {"contact model wrong_parity", "parity of its memory",
-       "spring_x is declared even, and is -5.29061e-07 where the swapped contact has 5.29061e-07.",
+       "spring_x is declared even, and is 2.58605e-09 where the swapped contact has -2.58605e-09.",
        "Odd: vectors of i relative to j, which change sign when the partners swap. Even: everything else."},
       {"contact model hurried", "contact time", "it tells 5.145e-05 s for an impact at 0.05 m/s, which lasts 7.347e-05 s.", k_duration},
       {"contact model reckless", "largest stable step",
