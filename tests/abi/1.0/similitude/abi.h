@@ -192,7 +192,7 @@ typedef struct similitude_contact_functions {
   void (*forces)(const void* model, const similitude_contact_block* block, similitude_status* status);   /* [worker] */
   /* [s], of a head-on impact at relative speed v. [setup] */
   double (*contact_time)(const void* model, uint32_t pair, double effective_mass, double effective_radius, double speed);
-  /* [s], beyond it the explicit step of one contact is unstable. [setup] */
+  /* [s], beyond it explicit steps of a packed bed are unstable. [setup] */
   double (*largest_stable_step)(const void* model, uint32_t pair, double effective_mass, double effective_radius,
                                 double speed);
   double (*reach)(const void* model, double diameter);                 /* [m], optional: null means 0. [setup] */

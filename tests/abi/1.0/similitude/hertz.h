@@ -173,8 +173,8 @@ struct HertzLaw {
     const double overlap = hertz_largest_overlap(modulus, effective_mass, effective_radius, speed);
     const double unit = sqrt(effective_mass / (2 * modulus * sqrt(effective_radius * overlap)));
     const double share = k_hertz_damping * damping;
-    if (!remembers()) return unit * stable_step(share);
-    return unit * min(stable_step(share), stable_tangential_step(stiffness_ratio, sqrt(stiffness_ratio) * share));
+    if (!remembers()) return unit * stable_step_in_a_bed(share);
+    return unit * min(stable_step_in_a_bed(share), stable_tangential_step(stiffness_ratio, sqrt(stiffness_ratio) * share));
   }
 
  private:

@@ -68,7 +68,7 @@ inline double largest_stable_step_of(const Impact& impact) {
   constexpr double least = 0.01;   // below it the damping no longer changes the answer by more than its own error
   const double loss = std::log(impact.restitution > least ? impact.restitution : least);
   const double zeta = damping_ratio(std::exp(loss));
-  return stable_step(zeta) * impact.duration / std::sqrt(k_pi * k_pi + loss * loss);
+  return stable_step_in_a_bed(zeta) * impact.duration / std::sqrt(k_pi * k_pi + loss * loss);
 }
 
 }  // namespace similitude

@@ -50,4 +50,12 @@ inline double stable_step(double damping_ratio) {
   return 2 * (std::sqrt(1 + damping_ratio * damping_ratio) - damping_ratio);
 }
 
+/// In a packed bed a particle swings against all its neighbours at once. With Z equal contacts spread evenly, the sum of
+/// k n n^T over them is Z k/3, and by Gershgorin no mode of the bed is faster than sqrt(Z/3) times a pair: twice for the twelve
+/// neighbours that touch a sphere at most. The damping of that mode grows with it, zeta w/w0.
+inline constexpr double k_fastest_mode = 2;   // [-], of a packed bed, over the frequency of one contact
+
+/// Largest stable step [1/w0, w0 of one contact] in a packed bed.
+inline double stable_step_in_a_bed(double damping_ratio) { return stable_step(k_fastest_mode * damping_ratio) / k_fastest_mode; }
+
 }  // namespace similitude

@@ -32,11 +32,11 @@ SIMILITUDE_INLINE Vec3<V> tangential_force(const Contact<V>& c, const V& normal_
   return force;
 }
 
-/// Largest stable step of the tangential spring, in units of sqrt(m*/k_n) as stable_step. Given k_t / k_n and
+/// Largest stable step of the tangential spring, in units of sqrt(m*/k_n) as stable_step_in_a_bed. Given k_t / k_n and
 /// eta_t / (2 sqrt(k_n m*)). A solid sphere resists at its surface with 2/7 of its mass.
 inline double stable_tangential_step(double stiffness_ratio, double damping) {
   const double softness = 2.0 / 7 / stiffness_ratio;   // tangential over normal (m/k)
-  return std::sqrt(softness) * stable_step(damping * std::sqrt(softness) * 7.0 / 2);
+  return std::sqrt(softness) * stable_step_in_a_bed(damping * std::sqrt(softness) * 7.0 / 2);
 }
 
 }  // namespace similitude
