@@ -91,6 +91,11 @@ constexpr similitude_parameter k_manner{sizeof(similitude_parameter),
                                         0,
                                         0,
                                         nullptr};
+constexpr similitude_effect_functions k_no_passes = [] {
+  similitude_effect_functions table{};
+  table.struct_size = sizeof table;
+  return table;
+}();
 constexpr similitude_descriptor k_watched{sizeof(similitude_descriptor),
                                           1,
                                           "effect",
@@ -100,7 +105,7 @@ constexpr similitude_descriptor k_watched{sizeof(similitude_descriptor),
                                           nullptr,
                                           nullptr,
                                           &k_manner,
-                                          nullptr,
+                                          &k_no_passes,
                                           Watched::create,
                                           Watched::destroy};
 const PluginEntry k_entry{&k_watched, "", "", ""};

@@ -158,7 +158,7 @@ TEST(DescriptorCheck, AParameterSaysWhatItIs) {
   EXPECT_FAULT(l.parameters[0].name = "Factor",
                "drag model \"law\": parameter \"Factor\": the name is not lower_snake.");
   EXPECT_FAULT(l.parameters[1].name = "factor", "drag model \"law\": parameter \"factor\" is declared twice.");
-  EXPECT_FACTOR_FAULT(l.parameters[0].struct_size = 100, "its row has 100 bytes, this program reads 104.");
+  EXPECT_FACTOR_FAULT(l.parameters[0].struct_size = 100, "its row has 100 bytes, this program reads 112.");
   EXPECT_FACTOR_FAULT(l.parameters[0].type = 4, "there is no type 4.");
   EXPECT_FACTOR_FAULT(l.parameters[0].scales_as = 14, "there is no way of scaling 14.");
   EXPECT_FACTOR_FAULT(l.parameters[0].unit = nullptr, "it has no unit.");
