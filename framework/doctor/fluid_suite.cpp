@@ -110,8 +110,19 @@ class Run {
     for (GuardedColumn* column : {&gas_fraction, &gas_fraction_old, &exchange, &exchange_velocity, &remainder}) column->forbid_writing();
   }
   similitude_gas_step step() {
-    return {sizeof(similitude_gas_step), 0, time_, k_dt, gas_fraction.data(), gas_fraction_old.data(), exchange.data(),
-            exchange_velocity.data(), remainder.data(), velocity.data(), pressure.data(), stress_force.data()};
+    similitude_gas_step step{};
+    step.struct_size = sizeof step;
+    step.time = time_;
+    step.dt = k_dt;
+    step.gas_fraction = gas_fraction.data();
+    step.gas_fraction_old = gas_fraction_old.data();
+    step.exchange = exchange.data();
+    step.exchange_velocity = exchange_velocity.data();
+    step.remainder = remainder.data();
+    step.velocity = velocity.data();
+    step.pressure = pressure.data();
+    step.stress_force = stress_force.data();
+    return step;
   }
 
   Grid grid_;

@@ -18,11 +18,12 @@ struct Symbol {
 
 constexpr double k_degree = std::numbers::pi / 180;
 
-const std::array<Symbol, 16> k_symbols{{
+const std::array<Symbol, 17> k_symbols{{
     {"1", {{0, 0, 0}, 0, 1}, false},
     {"m", {{1, 0, 0}, 0, 1}, true},
     {"g", {{0, 1, 0}, -3, 1}, true},
     {"s", {{0, 0, 1}, 0, 1}, true},
+    {"K", {{0, 0, 0, 1}, 0, 1}, true},
     {"N", {{1, 1, -2}, 0, 1}, true},
     {"Pa", {{-1, 1, -2}, 0, 1}, true},
     {"J", {{2, 1, -2}, 0, 1}, true},
@@ -61,7 +62,8 @@ std::optional<Unit> find_symbol(std::string_view name) {
 }
 
 Unit power(const Unit& base, int exponent) {
-  Unit result{{base.dimension.length * exponent, base.dimension.mass * exponent, base.dimension.time * exponent},
+  Unit result{{base.dimension.length * exponent, base.dimension.mass * exponent, base.dimension.time * exponent,
+               base.dimension.temperature * exponent},
               base.decimal * exponent,
               1};
   for (int i = 0; i < std::abs(exponent); ++i) result.factor *= exponent > 0 ? base.factor : 1 / base.factor;
@@ -70,7 +72,7 @@ Unit power(const Unit& base, int exponent) {
 
 Unit product(const Unit& a, const Unit& b) {
   return {{a.dimension.length + b.dimension.length, a.dimension.mass + b.dimension.mass,
-           a.dimension.time + b.dimension.time},
+           a.dimension.time + b.dimension.time, a.dimension.temperature + b.dimension.temperature},
           a.decimal + b.decimal,
           a.factor * b.factor};
 }
@@ -219,7 +221,7 @@ struct NamedDimension {
   Dimension dimension;
   const char* name;
 };
-constexpr std::array<NamedDimension, 18> k_dimension_names{{
+constexpr std::array<NamedDimension, 21> k_dimension_names{{
     {{0, 0, 0}, "a pure number"},
     {{1, 0, 0}, "a length"},
     {{2, 0, 0}, "an area"},
@@ -238,6 +240,9 @@ constexpr std::array<NamedDimension, 18> k_dimension_names{{
     {{2, 1, -2}, "an energy"},
     {{0, 1, -1}, "a mass flow or damping coefficient"},
     {{2, 1, -3}, "a power"},
+    {{0, 0, 0, 1}, "a temperature"},
+    {{2, 0, -2, -1}, "a heat capacity"},
+    {{1, 1, -3, -1}, "a heat conductivity"},
 }};
 
 }  // namespace
@@ -255,6 +260,7 @@ std::string base_units(Dimension dimension) {
   append("kg", dimension.mass);
   append("m", dimension.length);
   append("s", dimension.time);
+  append("K", dimension.temperature);
   return text.empty() ? "1" : text;
 }
 

@@ -7,9 +7,9 @@
 
 namespace similitude {
 
-/// Exponents of metre, kilogram and second.
+/// Exponents of metre, kilogram, second and kelvin.
 struct Dimension {
-  int length = 0, mass = 0, time = 0;
+  int length = 0, mass = 0, time = 0, temperature = 0;
   bool operator==(const Dimension&) const = default;
 };
 

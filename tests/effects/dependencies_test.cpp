@@ -6,6 +6,7 @@
 
 #include "effect_case.h"
 #include "scene/messages.h"
+#include "similarity/ratios.h"
 #include "stepper/effects.h"
 
 namespace similitude::test {
@@ -69,6 +70,41 @@ TEST(Dependencies, WhatTheContactLawKnowsIsTakenFromThere) {
   EXPECT_NE(refusal_of(k_hertz, "[{id: rolling_friction, coefficient: 0.1, model: epsd}]")
                 .find("the rolling spring of epsd needs the contact's normal stiffness, and this contact law declares none.\n  Give stiffness"),
             std::string::npos);
+}
+
+// A quarter of the length at the same density: weights fall by 4^3, and with them what holds grains together.
+TEST(ScaledEffects, KeepTheBondNumber) {
+  EffectCase given{.effects = "[cohesion]"};
+  const RealScene real = case_of(given.yaml()).scene;
+  similitude_ratios quarter = identity_ratios();
+  quarter.length = quarter.diameter = quarter.drag_diameter = 0.25;
+  quarter.time = quarter.velocity = 0.5;
+  const ModelScene bed = simulated_bed(real, quarter);
+  const auto ratio = [&](std::size_t place) {
+    return bed.models.effects[0].parameters[place].real / real.models.effects[0].parameters[place].real;
+  };
+  EXPECT_EQ(real.models.effects[0].parameters[1].name, "hamaker");
+  EXPECT_EQ(ratio(1), 1.0 / 256);   // force times length
+  EXPECT_EQ(ratio(2), 0.25);        // separation
+  EXPECT_EQ(ratio(3), 0.25);        // asperity
+}
+
+TEST(ScaledEffects, WhatCannotBeScaledRefusesAScaledRun) {
+  EffectCase given{.effects = "[cohesion]"};
+  RealScene real = case_of(given.yaml()).scene;
+  real.models.effects[0].mark = {};
+  real.models.effects[0].parameters[1].scales_as = SIMILITUDE_SCALES_REFUSED;
+  real.models.scaling.id = "similarity";
+  EXPECT_NO_THROW(simulated_bed(real, identity_ratios()));
+  similitude_ratios quarter = identity_ratios();
+  quarter.length = 0.25;
+  try {
+    simulated_bed(real, quarter);
+    FAIL() << "nothing was said";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "models.effects: cohesion does not say how its hamaker scales, and models.scaling is similarity.\n"
+                               "  Set models.scaling: exact, or leave cohesion out of models.effects.");
+  }
 }
 
 TEST(Dependencies, FieldsExistOnlyForTheEffectsThatWantThem) {

@@ -33,7 +33,7 @@ models:
   fluid: vans
   effects: []
 time: {{end: 1 s, dt: 2e-5 s, gas_dt: {GAS_DT} s}}
-output: {{checkpoint: 0 s}}
+output: {{checkpoint: none}}
 """
 
 
@@ -59,15 +59,17 @@ class Footprint(unittest.TestCase):
         self.programs = {name: installed(root / name, name == "all") for name in ("all", "none")}
         self.case = root / "case.yaml"
         self.case.write_text(CASE)
-        self.env = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive", XDG_DATA_HOME=str(root), HOME=str(root),
-                        LD_LIBRARY_PATH="")
-        self.env.pop("SIMILITUDE_PLUGIN_PATH", None)
+        self.env = {}
+        for name, program in self.programs.items():   # each with its own libsimilitude, beside which it looks for plugins
+            self.env[program] = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive", XDG_DATA_HOME=str(root), HOME=str(root),
+                                     LD_LIBRARY_PATH=str(root / name / "lib"))
+            self.env[program].pop("SIMILITUDE_PLUGIN_PATH", None)
 
     def tearDown(self):
         self.folder.cleanup()
 
-    def said(self, *words, env=None):
-        run = subprocess.run([str(word) for word in words], capture_output=True, text=True, env=env or self.env)
+    def said(self, program, *words):
+        run = subprocess.run([program, *words], capture_output=True, text=True, env=self.env[program])
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return run
 
@@ -97,7 +99,7 @@ class Footprint(unittest.TestCase):
             for steps in STEPS:
                 out = self.case.parent / f"counted_{name}_{steps}"
                 run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}.callgrind", program, "run", self.case, "-o", out,
-                                      "--until", f"{steps * GAS_DT} s"], capture_output=True, text=True, env=self.env)
+                                      "--until", f"{steps * GAS_DT} s"], capture_output=True, text=True, env=self.env[program])
                 if "unhandled instruction" in run.stderr or "Illegal instruction" in run.stderr:
                     self.skipTest("valgrind knows no AVX-512: build with -DSIMILITUDE_MARCH=x86-64-v3")
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)

@@ -34,6 +34,9 @@ TEST(Units, ReadWhatPeopleWrite) {
   EXPECT_EQ(parse_quantity("+.5", "1"), 0.5);
   EXPECT_EQ(parse_quantity("20 %", "1"), 0.2);
   EXPECT_EQ(parse_quantity("0 Pa", "Pa"), 0.0);
+  EXPECT_EQ(parse_quantity("300 K", "K"), 300.0);
+  EXPECT_EQ(parse_quantity("1.007 kJ/(kg K)", "J/(kg K)"), 1007.0);
+  EXPECT_EQ(parse_quantity("26.3 mW/(m K)", "W/(m K)"), 0.0263);
 }
 
 // A scaled run repeats the real one's bits only if the same length is the same double however it is written.

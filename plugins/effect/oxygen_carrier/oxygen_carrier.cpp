@@ -45,7 +45,8 @@ struct OxygenCarrier {
     p.real("temperature", &OxygenCarrier::temperature,
            {.unit = "K", .def = 1173, .min = 300, .max = 2000, .typical_min = 873, .typical_max = 1273, .doc = "temperature of the reaction, the same everywhere"});
     p.real("diffusivity", &OxygenCarrier::diffusivity,
-           {.unit = "m^2/s", .def = 2e-4, .min = 0, .max = 1, .doc = "diffusivity of the reacting gas in the gas"});
+           {.unit = "m^2/s", .def = 2e-4, .min = 0, .max = 1, .doc = "diffusivity of the reacting gas in the gas",
+            .scales_as = similitude::Scales::as_diffusivity});
     p.real("turbulent_schmidt", &OxygenCarrier::turbulent_schmidt,
            {.unit = "1", .def = 0.7, .min = 0.1, .max = 10, .doc = "Schmidt number of motion below the cells, where an effect adds viscosity"});
   }
