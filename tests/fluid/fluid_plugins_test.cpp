@@ -50,7 +50,7 @@ struct Fields {
       : fraction(cells, 1), zero(3 * cells, 0), velocity(3 * cells, 7), pressure(cells, 7), stress(3 * cells, 7) {}
   similitude_gas_step row(double dt) {
     return {sizeof(similitude_gas_step), 0, dt, dt, fraction.data(), fraction.data(), zero.data(), zero.data(),
-            zero.data(), velocity.data(), pressure.data(), stress.data()};
+            zero.data(), velocity.data(), pressure.data(), stress.data(), nullptr, {nullptr, nullptr, nullptr}};
   }
   std::vector<double> fraction, zero, velocity, pressure, stress;
 };

@@ -64,7 +64,7 @@ void* refuses_without_a_word(const similitude_host*, const similitude_bed*, cons
 }
 
 constexpr similitude_parameter k_factor{sizeof(similitude_parameter), SIMILITUDE_REAL, 0, SIMILITUDE_SCALES_NOT, "factor", "1", "Multiplies.",
-                                        nullptr, nullptr, nullptr, 0.5, 0, 1, 0, 0};
+                                        nullptr, nullptr, nullptr, 0.5, 0, 1, 0, 0, nullptr};
 
 template <void (*exchange)(const void*, const similitude_drag_block*, similitude_status*)>
 constexpr similitude_drag_functions k_functions{sizeof(similitude_drag_functions), 0, nullptr, exchange};
