@@ -30,8 +30,10 @@ double wanted(const ModelScene& scene, const EffectModel& effect, const similitu
   if (!std::isnan(given)) return given;
   if (!std::isnan(quantity.default_value)) return quantity.default_value;
   const std::string key = section + "." + quantity.name;
+  std::string doc = quantity.doc;
+  if (doc.ends_with('.')) doc.pop_back();
   throw InputError(mark_of(scene, effect), "models.effects",
-                   std::string(effect.descriptor().id) + " needs " + key + " (" + quantity.doc + ").",
+                   std::string(effect.descriptor().id) + " needs " + key + " (" + doc + ").",
                    "Add " + key + (std::string(quantity.unit) == "1" ? "." : ", in " + std::string(quantity.unit) + "."));
 }
 

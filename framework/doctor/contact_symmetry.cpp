@@ -119,6 +119,7 @@ Outcome check_third_law(const PluginEntry& plugin) {
     there.advance(dt);
     back.advance(dt);
     for (std::size_t n = 0; n < k_contacts; ++n) {
+      if (std::isinf(contacts.rows[n].radius_j)) continue;   // a wall is never the first partner
       const ContactAnswer a = there.answer(n), b = back.answer(n);
       const double scale = std::max(size(a.force), size(b.force));
       if (!same(a.force, -b.force, scale))
@@ -148,6 +149,7 @@ Outcome check_parity(const PluginEntry& plugin) {
     for (std::uint32_t h = 0; h < needs.history_count; ++h)
       for (std::size_t n = 0; n < k_contacts; ++n) largest[h] = std::max(largest[h], std::abs(there.memory(n)[h]));
     for (std::size_t n = 0; n < k_contacts; ++n) {
+      if (std::isinf(contacts.rows[n].radius_j)) continue;   // a wall is never the first partner
       for (std::uint32_t h = 0; h < needs.history_count; ++h) {
         const bool odd = needs.history_parity[h] == SIMILITUDE_ODD;
         const double a = there.memory(n)[h], b = back.memory(n)[h];

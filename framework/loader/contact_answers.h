@@ -1,5 +1,5 @@
 #pragma once
-/// What a contact law answers before a run, as numbers that can be relied on. [setup]
+/// What contact laws and effects in contacts answer before a run, as numbers that can be relied on. [setup]
 
 #include "loader/catalogue.h"
 
@@ -20,5 +20,9 @@ double contact_time_of(const ContactModel& law, const HeadOnImpact& impact);
 double largest_stable_step_of(const ContactModel& law, const HeadOnImpact& impact);
 /// [m], finite, zero for a law without the function. Throws as above.
 double reach_of(const ContactModel& law, double diameter);
+
+/// Of an effect's contact pass: infinite without the function. Throws as above.
+double largest_stable_step_of(const EffectModel& effect, const HeadOnImpact& impact);
+double reach_of(const EffectModel& effect, double diameter);   // [m]
 
 }  // namespace similitude

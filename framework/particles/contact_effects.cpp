@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "loader/contact_answers.h"
 #include "particles/contact_pass.h"
 
 namespace similitude {
@@ -34,10 +35,7 @@ ContactEffects::ContactEffects(const similitude_contact_needs& law, std::span<co
 
 double ContactEffects::reach(double diameter) const {
   double farthest = 0;
-  for (const One& effect : effects_) {
-    const auto& functions = effect.model->functions();
-    if (functions.reach) farthest = std::max(farthest, functions.reach(effect.model->instance(), diameter));
-  }
+  for (const One& effect : effects_) farthest = std::max(farthest, reach_of(*effect.model, diameter));
   return farthest;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <span>
 
 #include "scene/case_keys.h"
 #include "scene/messages.h"
@@ -10,12 +9,14 @@
 #include "scene/units.h"
 
 namespace similitude {
-namespace {
 
 std::span<const similitude_quantity> quantities_of(const PluginEntry& effect) {
-  const auto& functions = *static_cast<const similitude_effect_functions*>(effect.descriptor->functions);
-  return {functions.quantities, functions.quantity_count};
+  const auto* functions = static_cast<const similitude_effect_functions*>(effect.descriptor->functions);
+  if (functions == nullptr) return {};
+  return {functions->quantities, functions->quantity_count};
 }
+
+namespace {
 
 /// Every quantity of the given kinds that some effect declares.
 std::vector<const similitude_quantity*> known(const Catalogue& catalogue, std::initializer_list<int> kinds) {

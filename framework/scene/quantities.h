@@ -3,6 +3,7 @@
 /// catalogue knows the name, and may be written if the case lists one that does.
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "loader/catalogue.h"
@@ -10,6 +11,9 @@
 #include "scene/scene.h"
 
 namespace similitude {
+
+/// The table of an effect in the catalogue.
+std::span<const similitude_quantity> quantities_of(const PluginEntry& effect);
 
 /// What was written, by section of the scene.
 struct QuantityValues {

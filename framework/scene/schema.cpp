@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/case_keys.h"
+#include "scene/quantities.h"
 #include "scene/section.h"
 #include "scene/units.h"
 
@@ -201,6 +202,26 @@ Json table_schema(KeyTable table, const Catalogue& catalogue) {
   return schema;
 }
 
+/// Keys that effects bring, in the sections where they may stand.
+void add_quantities(Json& scene, const Catalogue& catalogue) {
+  const auto add = [](Json& section, const similitude_quantity& row, const std::string& who) {
+    if (section["properties"].contains(row.name)) return;
+    std::string doc = row.doc;
+    if (doc.ends_with('.')) doc.pop_back();
+    section["properties"][row.name] = with_doc(quantity(row.unit, row.minimum >= 0 ? Sign::not_negative : Sign::any), doc + " (" + who + ")",
+                                               std::isnan(row.default_value) ? "" : format_quantity(row.default_value, row.unit));
+  };
+  Json& sections = scene["properties"];
+  for (const std::string& id : catalogue.ids("effect")) {
+    for (const similitude_quantity& row : quantities_of(*catalogue.find("effect", id))) {
+      const bool of_particles = row.kind == SIMILITUDE_PARTICLE_SCALAR || row.kind == SIMILITUDE_PARTICLE_PROPERTY;
+      add(of_particles ? sections["particles"]["additionalProperties"] : row.kind == SIMILITUDE_WALL_PROPERTY ? sections["walls"] : sections["gas"],
+          row, id);
+      if (row.kind == SIMILITUDE_GAS_SCALAR) add(sections["patches"]["additionalProperties"], row, id);
+    }
+  }
+}
+
 }  // namespace
 
 nlohmann::json case_schema(const Catalogue& catalogue) {
@@ -212,6 +233,7 @@ nlohmann::json case_schema(const Catalogue& catalogue) {
   patch["oneOf"] = Json::array({{{"required", {"velocity"}}}, {{"required", {"pressure"}}}});
   Json& plates = schema["properties"]["scene"]["properties"]["baffles"]["additionalProperties"];
   plates["oneOf"] = Json::array({{{"required", {"at_x"}}}, {{"required", {"at_y"}}}, {{"required", {"at_z"}}}});
+  add_quantities(schema["properties"]["scene"], catalogue);
   return schema;
 }
 

@@ -93,6 +93,17 @@ void refuse_scaled_scalars(const Assembly& assembly) {
   }
 }
 
+/// What chose itself must not stand in the way of a solver that the case names.
+void leave_out_unusable_viscosity(Assembly& assembly) {
+  if (!assembly.real.models.effects_auto || assembly.fluid_needs.takes_added_viscosity != 0) return;
+  std::erase_if(assembly.effects, [&](const EffectModel& effect) {
+    if (effect.functions().cells == nullptr) return false;
+    assembly.warnings.push_back(std::string("models.effects: this bed calls for ") + effect.descriptor().id + ", but " +
+                                assembly.fluid.descriptor().id + " has no viscosity that it could add to.");
+    return true;
+  });
+}
+
 /// The solver must do what effects ask of it.
 void check_gas_for_effects(const Assembly& assembly) {
   const std::string fluid = assembly.fluid.descriptor().id;
@@ -160,6 +171,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
   refuse_light_particles(assembly);
+  leave_out_unusable_viscosity(assembly);
   assembly.scalars = plan_scalars(assembly.model, assembly.effects);
   refuse_scaled_scalars(assembly);
   check_gas_for_effects(assembly);

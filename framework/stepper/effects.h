@@ -24,6 +24,9 @@ struct EffectVerdict {
 /// An effect with all its parameters left out.
 ModelChoice effect_with_defaults(const PluginEntry& effect);
 
+/// `effects: []` asks for none, and for no judgement either.
+inline bool asks_for_effects(const RealScene& scene) { return scene.models.effects_auto || !scene.models.effects.empty(); }
+
 /// In the real bed, before it is scaled: `effects: auto` becomes the list of those whose verdict is that they are needed, and
 /// parameters left out that another model has are taken from there. [setup]
 void choose_effects(RealScene& scene, const Catalogue& catalogue);

@@ -54,6 +54,14 @@ CalibrationBed calibration_bed(const Assembly& assembly, int particles_per_edge)
   return bed;
 }
 
+/// A price needs some number where the case must give one.
+void give_typical_values(ModelChoice& effect, const similitude_descriptor& model) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const similitude_parameter& row = model.parameters[i];
+    if (row.required != 0 && std::isnan(effect.parameters[i].real)) effect.parameters[i].real = row.typical_maximum;
+  }
+}
+
 /// Wall seconds that an effect adds to the whole run: its contact pass by the difference of sub-steps with and without it, its
 /// particle pass by the clock, both on the calibration bed and the better of a few repetitions.
 double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Catalogue& catalogue, const std::string& id) {
@@ -63,6 +71,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
   with.models.effects_auto = false;
   std::erase_if(with.models.effects, [&](const ModelChoice& effect) { return effect.id != id; });
   if (with.models.effects.empty()) with.models.effects.push_back(effect_with_defaults(*catalogue.find("effect", id)));
+  for (ModelChoice& choice : with.models.effects) give_typical_values(choice, *catalogue.find("effect", id)->descriptor);
   const Assembly assembly = assemble(with, catalogue);
   const EffectModel& effect = assembly.effects.front();
   CalibrationBed bed = calibration_bed(assembly, k_particles_per_edge);
@@ -86,6 +95,7 @@ double calibrated_price(const RealScene& scene, const TimeSteps& steps, const Ca
     price += std::max(0.0, best_of(assembly.effects) - best_of({})) * scale * gas_steps * static_cast<double>(steps.sub_steps);
   }
   if (effect.functions().particles) {
+    for (std::size_t axis = 0; axis < 3; ++axis) bed.scene.cell[axis] = bed.scene.size[axis] / 4;
     const Grid grid(bed.scene);
     std::unique_ptr<GasMotion> motion;
     if (assembly.effect_reads != 0) motion = std::make_unique<GasMotion>(bed.scene, grid, assembly.coupled(), assembly.effect_reads);
@@ -126,6 +136,35 @@ std::string written(const Assembly& assembly, const ModelChoice& set, std::size_
   if (row.type == SIMILITUDE_FLAG) return parameter.real != 0 ? "true" : "false";
   if (std::isnan(parameter.real)) return "";
   return format_quantity(parameter.real, row.unit != nullptr && *row.unit != 0 ? row.unit : "1");
+}
+
+/// Fields of what effects carry, as allocated in every run that carries it.
+void add_scalar_fields(const Assembly& assembly, std::size_t particles, std::vector<FieldUse>& fields) {
+  const std::size_t cells = assembly.grid->cell_count();
+  const auto who = [&](bool gas, std::size_t slot) {
+    std::string names;
+    for (const EffectQuantities& effect : assembly.scalars.effects) {
+      for (std::size_t q = 0; q < effect.kind.size(); ++q) {
+        if (effect.slot[q] != static_cast<int>(slot) || (effect.kind[q] == SIMILITUDE_GAS_SCALAR) != gas) continue;
+        names += (names.empty() ? "effect." : ", effect.") + std::string(effect.effect->descriptor().id);
+      }
+    }
+    return names;
+  };
+  for (std::size_t s = 0; s < assembly.scalars.particles.size(); ++s) {
+    fields.push_back({"particle." + assembly.scalars.particles[s].name, sizeof(double), particles, who(false, s)});
+  }
+  for (std::size_t s = 0; s < assembly.scalars.gas.size(); ++s) {
+    fields.push_back({"cell." + assembly.scalars.gas[s].name, sizeof(double), cells, who(true, s)});
+    fields.push_back({"cell." + assembly.scalars.gas[s].name + "_exchange", 3 * sizeof(double), cells, who(true, s)});
+    fields.push_back({"particle." + assembly.scalars.gas[s].name + "_exchange", 2 * sizeof(double), particles, who(true, s)});
+  }
+  if (!assembly.scalars.gas.empty()) fields.push_back({"cell.flux", 3 * sizeof(double), cells, "what the gas carries"});
+  for (const EffectModel& effect : assembly.effects) {
+    if (effect.functions().cells == nullptr) continue;
+    fields.push_back({"cell.added_viscosity", sizeof(double), cells, std::string("effect.") + effect.descriptor().id});
+    break;
+  }
 }
 
 }  // namespace
@@ -186,6 +225,7 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
     fields.push_back({"cell.exchange", 4 * sizeof(double), cells, "implicit drag"});
     fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
   }
+  add_scalar_fields(assembly, particles, fields);
   return fields;
 }
 

@@ -20,6 +20,8 @@
 #include "stepper/bed.h"
 #include "stepper/checkpoints.h"
 #include "stepper/comparison.h"
+#include "stepper/effects.h"
+#include "stepper/occurred.h"
 #include "stepper/resume.h"
 #include "stepper/run_outputs.h"
 #include "stepper/simulation.h"
@@ -121,6 +123,7 @@ class CaseRun {
         resolved_case_(std::move(resolved_case)),
         checkpoints_(checkpoints),
         outputs_(earlier != nullptr ? RunOutputs(directory, assembly, earlier->outputs, simulation.time()) : RunOutputs(directory, assembly)),
+        occurred_(assembly),
         particle_steps_before_(earlier != nullptr ? simulation.engine().report().particle_steps : 0) {
     if (earlier != nullptr) {
       wall_before_ = earlier->wall_s;
@@ -139,6 +142,7 @@ class CaseRun {
         keep_a_copy();
         simulation_.step();
         outputs_.observe(simulation_);
+        look_at_what_occurs();
         progress.update(progress_state());
       }
     } catch (const SimulationError& error) {
@@ -156,9 +160,17 @@ class CaseRun {
   }
 
   const RunOutputs& outputs() const { return outputs_; }
+  const Occurred& occurred() const { return occurred_; }
   const std::string& hash() const { return manifest_.state_hash; }
 
  private:
+  /// For effects alone: a case that asks for none pays nothing.
+  void look_at_what_occurs() {
+    if (!asks_for_effects(assembly_.real) || simulation_.time() < next_look_) return;
+    occurred_.observe(simulation_);
+    next_look_ = simulation_.time() + assembly_.model.output.monitor_every;
+  }
+
   double wall() const {
     return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -243,6 +255,8 @@ class CaseRun {
   std::string resolved_case_;
   Checkpoints& checkpoints_;
   RunOutputs outputs_;
+  Occurred occurred_;
+  double next_look_ = 0;                    // [s]
   Snapshots snapshots_;
   std::uint64_t particle_steps_before_;
   double wall_before_ = 0;                  // [s], of earlier starts
@@ -333,6 +347,13 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
     return k_exit_of_signal + signal_number;
   }
   if (!case_run.outputs().profiles().settings().heights.empty()) out << "\n" << profile_table(case_run.outputs().profiles());
+  if (asks_for_effects(case_file.scene)) {
+    const similitude_occurred seen = case_run.occurred().ranges();
+    const std::vector<EffectVerdict> before = judge_effects(assembly.real, catalogue, nullptr);
+    for (const std::string& thought : second_thoughts(before, judge_effects(assembly.real, catalogue, &seen))) {
+      out << "\neffects: " << thought << "\n";
+    }
+  }
   out << "\n" << books(simulation.balances());
   out << fmt::format("results in {}\n{}state {}\n", directory.path().string(), go_on, case_run.hash());
   return 0;

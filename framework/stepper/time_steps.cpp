@@ -82,11 +82,10 @@ void effect_limits(const Assembly& assembly, std::vector<TimeStepLimit>& limits)
   constexpr double k_advised_share = 0.5;   // of the hard limit, as for the gas's explicit viscosity
   const double speed = free_fall_speed(assembly.model);
   for (const EffectModel& effect : assembly.effects) {
-    const auto& functions = effect.functions();
-    if (!functions.contacts || !functions.largest_stable_step) continue;
+    if (!effect.functions().contacts) continue;
     double hard = k_never;
     for (const Impact& impact : impacts_of(assembly)) {
-      hard = std::min(hard, functions.largest_stable_step(effect.instance(), impact.effective_mass, impact.effective_radius, speed));
+      hard = std::min(hard, largest_stable_step_of(effect, {0, impact.effective_mass, impact.effective_radius, speed}));
     }
     if (!std::isfinite(hard)) continue;
     limits.push_back({std::string("effect: ") + effect.descriptor().id, "explicit step of its contact pass", StepKind::particles,

@@ -6,7 +6,7 @@ import unittest
 
 from command import SMALL, CommandTest
 
-HOT = (SMALL.replace("viscosity: 1.79e-5 Pa s}", "viscosity: 1.79e-5 Pa s, temperature: 300 K}")
+HOT = (SMALL.replace("output: {", "output: {checkpoint: every 1 us, ").replace("viscosity: 1.79e-5 Pa s}", "viscosity: 1.79e-5 Pa s, temperature: 300 K}")
        .replace("count: 300}", "count: 300, temperature: 500 K, heat_capacity: 880 J/(kg K), conductivity: 20 W/(m K)}")
        .replace("velocity: 3 m/s}", "velocity: 3 m/s, temperature: 600 K}")
        .replace("  scaling: exact", "  scaling: exact\n  effects: [heat]")
@@ -56,7 +56,7 @@ class Scalars(CommandTest):
         whole = self.run_well(HOT)
         with open(self.path("out/scalars.csv"), encoding="utf-8") as file:
             written = file.read()
-        self.run_well(HOT, "--force", "--until", "5 ms", "--set", "output.checkpoint=every 1 us")
+        self.run_well(HOT, "--force", "--until", "5 ms")
         self.assertEqual(self.resume(), whole)
         with open(self.path("out/scalars.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), written)

@@ -179,5 +179,5 @@ BENCHMARK(contact_pass)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond
 BENCHMARK(interpolation)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(deposit)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(smoothing)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
-BENCHMARK(pressure_solve)->Arg(22)->Arg(46)->Arg(80)->Arg(126)->Unit(benchmark::kMillisecond);   // 1e4, 1e5, 5e5, 2e6 cells
+BENCHMARK(pressure_solve)->Arg(10)->Arg(22)->Arg(46)->Arg(80)->Arg(126)->Arg(160)->Unit(benchmark::kMillisecond);   // 1e3 … 4e6 cells
 BENCHMARK_MAIN();

@@ -223,7 +223,7 @@ TEST(Heat, SaysWhatACaseMustGive) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "models.effects: heat needs scene.particles.beads.heat_capacity (heat capacity of the particles' material.).\n"
+                 "models.effects: heat needs scene.particles.beads.heat_capacity (heat capacity of the particles' material).\n"
                  "  Add scene.particles.beads.heat_capacity, in J/(kg K).");
   }
 }

@@ -99,6 +99,13 @@ TEST(Advice, IntervalThatIsALowerBoundIsNamedOne) {
             "link is 4 x faster than exact; its profile error, 6 ± at least 1 %, has nothing to be compared with.");
 }
 
+TEST(Advice, AnErrorWithoutNoiseHasNoInterval) {
+  EXPECT_EQ(advice({reference("fine", 400), contender("coarse", 100, exactly(0.033)), contender("middle", 200, exactly(0.016))},
+                   "height error"),
+            "middle is 2 x faster than fine; its height error, 1.6 %, is the smallest; coarse is 2 x faster still, but off by "
+            "3.3 %.");
+}
+
 TEST(Advice, WhereNothingIsFasterTheReferenceStays) {
   EXPECT_EQ(advice({reference("coarse", 10), contender("fine", 25, about(0.1, 0.02))}, "bed height error"),
             "Nothing here beats coarse: the fastest other case, fine, takes 2.5 x as long, and its bed height error is "

@@ -22,7 +22,8 @@ function height_in_use(bed) {
   const heights = [];
   for (const picture of bed.pictures) for (let k = 0; k < picture.count; k += 3) heights.push(picture.rows.getUint16(6 * k + 2, true));
   heights.sort((a, b) => a - b);
-  return Math.min(bed.height, 1.08 * bed.height * (heights[Math.floor(.998 * (heights.length - 1))] || 65535) / 65535);
+  const radius = Math.max(...bed.pictures.map((picture) => picture.radius));
+  return Math.min(bed.height, 3 * radius + 1.05 * bed.height * (heights[Math.floor(.998 * (heights.length - 1))] || 65535) / 65535);
 }
 // A speed that few grains exceed: one outlier must not turn all others violet.
 function usual_top_speed(bed) {
@@ -83,7 +84,7 @@ function bed_player(host) {
       draw_picture(canvas, bed, bed.pictures[k], top, scale, full_speed);
     }
     slider.value = String(Math.round(1000 * share));
-    clock.textContent = `${time.toFixed(last < 1 ? 3 : 2)} s`;
+    clock.textContent = last < .02 ? `${(1e3 * time).toFixed(3)} ms` : `${time.toFixed(last < 1 ? 3 : 2)} s`;
   }
   function tick(now) {
     if (!playing) return;

@@ -67,7 +67,8 @@ struct RollingFriction {
   Force<V> contact(const EffectContact<V>& c) const {
     const Vec3<V> spin = rolling(c);
     const V speed = magnitude(spin);
-    const V turn_back = inertia(c.effective_mass, min(c.radius_i, c.radius_j)) / c.dt;   // [N m s]
+    const V radius = min(c.radius_i, c.radius_j);
+    const V turn_back = 0.4 * c.effective_mass * (radius * radius) / c.dt;   // [N m s], solid spheres: 2/5 m r^2
     const V factor = min(largest_torque(c) / speed, turn_back);
     return {{V(0), V(0), V(0)}, select(speed > 0.0, -factor, V(0)) * spin};
   }
@@ -127,7 +128,7 @@ struct RollingFriction {
   static double inertial_number(const Evidence& e) {
     const Bed& bed = e.bed;
     if (!(bed.bed_height > 0) || !(bed.gravity > 0)) return std::numeric_limits<double>::infinity();
-    const bool uniform = bed.largest_inlet_velocity <= bed.superficial_velocity;
+    const bool uniform = bed.largest_inlet_velocity <= (1 + 1e-9) * bed.superficial_velocity;   // to rounding
     const double excess = bed.particle_density - bed.gas_density;   // [kg/m^3]; light particles press against the top
     const double minimum = excess > 0 ? minimum_fluidisation_ergun(sphere_in_gas(bed), k_gas_fraction_at_minimum) : 0;
     const double carried = uniform && bed.superficial_velocity > 0 && minimum > 0 ? std::min(1.0, bed.superficial_velocity / minimum) : 0;

@@ -287,15 +287,19 @@ struct EffectTable {
   }
 
   static double reach(const void* model, double diameter) noexcept {
-    if constexpr (requires(const Effect& e) { e.reach(diameter); }) return model_of<Effect>(model).reach(diameter);
-    return 0;
+    return number_or_nan<Effect>(model, "reach", [&]() -> double {
+      if constexpr (requires(const Effect& e) { e.reach(diameter); }) return model_of<Effect>(model).reach(diameter);
+      return 0;
+    });
   }
 
   static double largest_stable_step(const void* model, double mass, double radius, double speed) noexcept {
-    if constexpr (requires(const Effect& e) { e.largest_stable_step(mass, radius, speed); }) {
-      return model_of<Effect>(model).largest_stable_step(mass, radius, speed);
-    }
-    return std::numeric_limits<double>::infinity();
+    return number_or_nan<Effect>(model, "largest_stable_step", [&]() -> double {
+      if constexpr (requires(const Effect& e) { e.largest_stable_step(mass, radius, speed); }) {
+        return model_of<Effect>(model).largest_stable_step(mass, radius, speed);
+      }
+      return std::numeric_limits<double>::infinity();
+    });
   }
 
   static constexpr similitude_effect_functions table() {

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""What nobody asks for costs nothing: the same case with all effect plugins installed and with none of them at all.
+
+The program and its plugins are copied twice, once without effect plugins. Pipeline, fields with their bytes, and the bytes per
+particle that a run reports are equal; instructions per gas step, counted by callgrind between two lengths of the same
+run so that start-up drops out, within 0.1 %."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(os.environ["SIMILITUDE"])
+STEPS = (20, 60)   # gas steps of the short and the long run
+GAS_DT = 1e-4      # [s]
+CASE = f"""similitude: 1
+title: footprint
+scene:
+  domain:    {{size: [20 mm, 20 mm, 60 mm], cell: 5 mm}}
+  gas:       {{density: 1.225 kg/m^3, viscosity: 1.79e-5 Pa s}}
+  particles: {{alumina: {{diameter: 1 mm, density: 1040 kg/m^3, count: 500}}}}
+  bed:       {{fill: lattice}}
+  patches:
+    inlet:  {{face: bottom, velocity: 0.5 m/s}}
+    outlet: {{face: top, pressure: 0 Pa}}
+models:
+  drag: gidaspow
+  contact: {{id: linear_spring, stiffness: 500 N/m, restitution: 0.74, friction: 0.2}}
+  fluid: vans
+  effects: []
+time: {{end: 1 s, dt: 2e-5 s, gas_dt: {GAS_DT} s}}
+output: {{checkpoint: 0 s}}
+"""
+
+
+def installed(folder, with_effects):
+    """A copy of the installation, linked where nothing differs."""
+    (folder / "bin").mkdir(parents=True)
+    shutil.copy(PROGRAM, folder / "bin")
+    build = PROGRAM.parent.parent
+    plugins = folder / "lib/similitude/plugins"
+    plugins.mkdir(parents=True)
+    for library in (build / "lib").glob("*.so*"):
+        shutil.copy(library, folder / "lib", follow_symlinks=True)
+    for plugin in (build / "lib/similitude/plugins").glob("*.so"):
+        if with_effects or not plugin.name.startswith("effect_"):
+            shutil.copy(plugin, plugins)
+    return folder / "bin" / PROGRAM.name
+
+
+class Footprint(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        root = pathlib.Path(self.folder.name)
+        self.programs = {name: installed(root / name, name == "all") for name in ("all", "none")}
+        self.case = root / "case.yaml"
+        self.case.write_text(CASE)
+        self.env = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive", XDG_DATA_HOME=str(root), HOME=str(root),
+                        LD_LIBRARY_PATH="")
+        self.env.pop("SIMILITUDE_PLUGIN_PATH", None)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def said(self, *words, env=None):
+        run = subprocess.run([str(word) for word in words], capture_output=True, text=True, env=env or self.env)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        return run
+
+    def ids(self, program):
+        listed = json.loads(self.said(program, "plugins", "list", "--json").stdout)["plugins"]
+        return {plugin["id"] for plugin in listed if plugin["kind"] == "effect"}
+
+    def test_pipeline_fields_and_bytes_are_the_same(self):
+        self.assertGreaterEqual(len(self.ids(self.programs["all"])), 5)
+        self.assertEqual(self.ids(self.programs["none"]), set())
+        pages = {name: json.loads(self.said(program, "check", self.case, "--json").stdout) for name, program in self.programs.items()}
+        self.assertEqual(pages["all"]["pipeline"], pages["none"]["pipeline"])
+        self.assertEqual(pages["all"]["fields"], pages["none"]["fields"])
+        memory = {}
+        for name, program in self.programs.items():
+            said = self.said(program, "run", self.case, "-o", self.case.parent / f"out_{name}", "--until", f"{GAS_DT} s").stdout
+            memory[name] = re.search(r"memory\s+(\d+) bytes per particle", said)[1]
+            memory[name + " state"] = re.search(r"state (\w+)", said)[1]
+        self.assertEqual(memory["all"], memory["none"])
+        self.assertEqual(memory["all state"], memory["none state"])
+
+    @unittest.skipUnless(shutil.which("valgrind"), "valgrind is missing")
+    def test_instructions_per_step_are_the_same_within_a_thousandth(self):
+        per_step = {}
+        for name, program in self.programs.items():
+            counts = []
+            for steps in STEPS:
+                out = self.case.parent / f"counted_{name}_{steps}"
+                run = subprocess.run(["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}.callgrind", program, "run", self.case, "-o", out,
+                                      "--until", f"{steps * GAS_DT} s"], capture_output=True, text=True, env=self.env)
+                if "unhandled instruction" in run.stderr or "Illegal instruction" in run.stderr:
+                    self.skipTest("valgrind knows no AVX-512: build with -DSIMILITUDE_MARCH=x86-64-v3")
+                self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+                counts.append(int(re.search(r"Collected : (\d+)", run.stderr)[1]))
+            per_step[name] = (counts[1] - counts[0]) / (STEPS[1] - STEPS[0])
+        print(f"instructions per gas step: {per_step}")
+        self.assertLess(abs(per_step["all"] / per_step["none"] - 1), 1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
