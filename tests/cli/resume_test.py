@@ -48,7 +48,7 @@ class ResumeTest(CommandTest):
         for place, _, names in os.walk(self.path(folder)):
             for name in names:
                 relative = os.path.relpath(os.path.join(place, name), self.path(folder))
-                if not relative.startswith("checkpoints") and name not in ("manifest.json", "timing.json", "view.py"):
+                if not relative.startswith("checkpoints") and name not in ("manifest.json", "timing.json", "view.py", "report.html"):
                     found.add(relative)
         return found
 
