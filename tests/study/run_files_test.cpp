@@ -58,7 +58,7 @@ TEST_F(RunFiles, MeasuredDataOfSomethingUnknown) {
             "\"vertical_velocity [m/s]\"?\n"
             "  Known: vertical_velocity [m/s], gas_fraction [1], pressure_drop, pressure_drop_fluctuation, bed_height, "
             "bed_height_fluctuation, "
-            "dominant_frequency.");
+            "dominant_frequency, last_pressure_drop, last_kinetic_energy.");
 }
 
 TEST_F(RunFiles, MeasuredDataThatAreNoNumber) {

@@ -77,7 +77,7 @@ TEST_F(StudyFileTest, UnknownMetricNamesTheNearest) {
             "Metrics: velocity_profile, "
             "velocity_profile_maximum, gas_fraction_profile, gas_fraction_profile_maximum, pressure_drop, "
             "pressure_drop_fluctuation, bed_height, "
-            "bed_height_fluctuation, dominant_frequency, momentum_residual, energy_residual, gas_balance_residual.");
+            "bed_height_fluctuation, dominant_frequency, last_pressure_drop, last_kinetic_energy, momentum_residual, energy_residual, gas_balance_residual.");
 }
 
 TEST_F(StudyFileTest, MissingBaseIsNamed) {
