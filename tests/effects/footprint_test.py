@@ -32,7 +32,7 @@ models:
   contact: {{id: linear_spring, stiffness: 500 N/m, restitution: 0.74, friction: 0.2}}
   fluid: vans
   effects: []
-time: {{end: 1 s, dt: 2e-5 s, gas_dt: {GAS_DT} s}}
+time: {{end: 1 s, dt: 1e-5 s, gas_dt: {GAS_DT} s}}
 output: {{checkpoint: none}}
 """
 
