@@ -16,7 +16,6 @@ test_packages=(
 )
 ci_packages=(
   gfortran                 # a drag law in Fortran
-  dpkg-dev debootstrap     # Debian packages, and a clean Debian to install them in
   clang libomp-dev valgrind                        # valgrind counts instructions
   chromium chromium-driver python3-selenium        # reports as people see them
 )

@@ -18,9 +18,3 @@ echo "== what needs the release build and more time"
 cmake --preset release -DSIMILITUDE_WERROR=ON >/dev/null
 cmake --build build
 run_ctest build -L ci
-
-echo "== a stranger with a clean Debian and the packages follows the tutorials for plugin authors"
-cmake --preset portable >/dev/null
-cmake --build build-portable
-(cd build-portable && rm -f ./*.deb && cpack)
-tests/plugin_authors/stranger.sh build-portable build-portable/debian

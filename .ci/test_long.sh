@@ -8,8 +8,9 @@ if [ ! -e results/small_bed_exact ]; then
   build/bin/similitude run configs/small_bed/exact.yaml -o results/small_bed_exact
 fi
 
-echo "== the pictures of the tutorials for plugin authors, drawn by ParaView in a clean Debian"
+echo "== a stranger with a clean Debian and the packages follows the tutorials for plugin authors; their pictures drawn by ParaView"
 cmake --preset portable >/dev/null
 cmake --build build-portable
 (cd build-portable && rm -f ./*.deb && cpack)
+tests/plugin_authors/stranger.sh build-portable build-portable/debian
 tests/plugin_authors/stranger.sh build-portable build-portable/debian --paraview
