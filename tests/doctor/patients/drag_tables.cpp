@@ -43,7 +43,7 @@ void looks_at_its_neighbour(const void*, const similitude_drag_block* b, similit
   for (std::uint32_t row = 0; row < b->rows; ++row) b->exchange[row] = stokes(b, row) * (row > 0 ? 1 + b->gas_fraction[row - 1] : 2);
 }
 void keeps_notes(const void*, const similitude_drag_block* b, similitude_status*) {
-  static std::array<double, 512> notes;
+  static std::array<double, 1 << 16> notes;   // more than any block has rows
   for (std::uint32_t row = 0; row < b->rows; ++row) {
     notes[row] = stokes(b, row) * (2 - b->gas_fraction[row]);
     if (row == b->rows / 2) std::this_thread::yield();
