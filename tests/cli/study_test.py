@@ -45,7 +45,7 @@ class Study(CommandTest):
             return json.load(file)
 
     def test_writes_what_the_contract_promises(self):
-        done = self.study(STUDY + "repeats: 2\n")
+        done = self.study(STUDY + "repeats: 2\nshort: 1 h\n")
         self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
         self.assertIn("1/2 gidaspow: ", done.stdout)
         page = self.page()
