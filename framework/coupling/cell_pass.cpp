@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
+#include "coupling/block_failure.h"
 #include "fluid/velocity_gradient.h"
-#include "particles/errors.h"
 
 namespace similitude {
 namespace {
@@ -26,8 +25,7 @@ void CellPass::apply(GasFields& gas, const Column<double>& gas_fraction, double 
   const auto cells = static_cast<std::size_t>(mesh.cell_count);
   const double size = std::cbrt(mesh.cell_volume());
   const std::size_t blocks = (cells + k_rows - 1) / k_rows;
-  std::size_t failed = blocks;   // the first block that failed, whichever thread met it
-  similitude_status failure{};
+  BlockFailure failure;
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     CellColumns columns;
@@ -54,19 +52,10 @@ void CellPass::apply(GasFields& gas, const Column<double>& gas_fraction, double 
                                      .added_viscosity = columns.added};
     similitude_status status{};
     effect_.functions().cells(effect_.instance(), &view, &status);
-    if (status.code != 0) {
-#pragma omp critical(similitude_cell_failure)
-      if (static_cast<std::size_t>(b) < failed) {
-        failed = static_cast<std::size_t>(b);
-        failure = status;
-      }
-    }
+    failure.tell(static_cast<std::size_t>(b), status);
     for (std::size_t n = 0; n < count; ++n) gas.added_viscosity[first + n] = columns.added[n];
   }
-  if (failed < blocks) {
-    throw SimulationError(std::string("the effect \"") + id() + "\" failed: " + failure.text,
-                          "Leave it out of models.effects, or ask its author.");
-  }
+  if (failure) throw_failure(effect_, failure.status());
 }
 
 }  // namespace similitude

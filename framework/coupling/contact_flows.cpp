@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
+#include "coupling/block_failure.h"
+#include "particles/contact_effects.h"
 #include "particles/contact_lists.h"
-#include "particles/errors.h"
 
 namespace similitude {
 namespace {
@@ -15,11 +15,7 @@ constexpr std::size_t k_rows = 64;
 constexpr std::uint32_t k_wall = ~std::uint32_t{0};
 
 bool has_flow(const EffectModel& effect) {
-  if (effect.functions().contacts == nullptr || effect.functions().needs == nullptr) return false;
-  similitude_effect_needs needs{};
-  needs.struct_size = sizeof needs;
-  effect.functions().needs(effect.instance(), &needs);
-  return (needs.adds & SIMILITUDE_ADDS_FLOW) != 0;
+  return effect.functions().contacts != nullptr && (needs_of(effect).adds & SIMILITUDE_ADDS_FLOW) != 0;
 }
 
 }  // namespace
@@ -132,10 +128,7 @@ void ContactFlows::call(Block& b, const EffectQuantities& effect, const Particle
   view.flow = flow.data();
   similitude_status status{};
   effect.effect->functions().contacts(effect.effect->instance(), &view, &status);
-  if (status.code != 0) {
-    throw SimulationError(std::string("the effect \"") + effect.effect->descriptor().id + "\" failed: " + status.text,
-                          "Leave it out of models.effects, or ask its author.");
-  }
+  if (status.code != 0) throw_failure(*effect.effect, status);
   for (std::size_t q = 0; q < quantities; ++q) {
     if (flow[q] == nullptr) continue;
     const auto slot = static_cast<std::size_t>(effect.slot[q]);

@@ -73,7 +73,7 @@ void write_columns(const CellRows& rows, double factor, Column<double>& columns)
   }
 }
 
-double sphere_volume(double radius) { return 4.0 / 3 * std::numbers::pi * (radius * radius * radius); }
+double volume_of_radius(double radius) { return 4.0 / 3 * std::numbers::pi * (radius * radius * radius); }
 
 }  // namespace
 
@@ -111,7 +111,7 @@ void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<doub
       [&](std::size_t p) {
         const Row& received_less_charged = particles.drag_impulse[p];
         return Row{-received_less_charged.x, -received_less_charged.y, -received_less_charged.z,
-                   sphere_volume(particles.position[p].w)};
+                   volume_of_radius(particles.position[p].w)};
       },
       solids);
   smoothing.apply(solids);

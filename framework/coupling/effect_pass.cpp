@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
-#include <string>
 
+#include <similitude/sphere.h>
+
+#include "coupling/block_failure.h"
 #include "particles/contact_effects.h"
-#include "particles/errors.h"
 
 namespace similitude {
 namespace {
@@ -52,7 +52,7 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
     const ParticleClass& species = classes_[particles.species[p]];
     const double d = species.drag_diameter;
     column(k_diameter)[n] = d;
-    column(k_mass)[n] = species.density * (std::numbers::pi / 6 * (d * d * d));
+    column(k_mass)[n] = species.density * sphere_volume(d);
     column(k_vx)[n] = particles.velocity[p].x;
     column(k_vy)[n] = particles.velocity[p].y;
     column(k_vz)[n] = particles.velocity[p].z;
@@ -110,25 +110,15 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
 void EffectPass::apply(ParticleStore& particles, const Column<double>& gas_fraction, double gas_dt) {
   for (std::size_t c = 0; c < fraction_.size(); ++c) fraction_[c].w = gas_fraction[c];
   const std::size_t blocks = (particles.size() + k_block_rows - 1) / k_block_rows;
-  std::size_t failed = blocks;   // the first block that failed, whichever thread met it
-  similitude_status failure{};
+  BlockFailure failure;
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     const auto block = static_cast<std::size_t>(b);
     similitude_status status{};
     apply_block(block, particles, gas_dt, workspaces_[static_cast<std::size_t>(omp_get_thread_num())], status);
-    if (status.code != 0) {
-#pragma omp critical(similitude_effect_failure)
-      if (block < failed) {
-        failed = block;
-        failure = status;
-      }
-    }
+    failure.tell(block, status);
   }
-  if (failed < blocks) {
-    throw SimulationError(std::string("the effect \"") + effect_.descriptor().id + "\" failed: " + failure.text,
-                          "Leave it out of models.effects, or ask its author.");
-  }
+  if (failure) throw_failure(effect_, failure.status());
 }
 
 }  // namespace similitude

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 
+#include <similitude/sphere.h>
+
+#include "coupling/block_failure.h"
 #include "particles/errors.h"
 
 namespace similitude {
@@ -32,8 +34,7 @@ ExchangeCoefficient::ExchangeCoefficient(const ModelScene& scene, const CellMap&
 }
 
 double ExchangeCoefficient::displaced_volume(const ParticleStore& particles, std::size_t p) const {
-  const double d = drag_diameter(particles, p);
-  return classes_[particles.species[p]].weight * (std::numbers::pi / 6 * (d * d * d));
+  return classes_[particles.species[p]].weight * sphere_volume(drag_diameter(particles, p));
 }
 
 void ExchangeCoefficient::evaluate_block(std::size_t block, ParticleStore& particles, const CellRows& gas,
@@ -94,26 +95,19 @@ void ExchangeCoefficient::evaluate(ParticleStore& particles, const CellRows& gas
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
   while (workspaces_.size() < threads) workspaces_.emplace_back(k_columns * k_block_rows);
 
-  std::size_t failed = blocks;   // the first block that failed, whichever thread met it
-  similitude_status failure{};
+  BlockFailure failure;
 #pragma omp parallel for schedule(dynamic, 4)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     const auto block = static_cast<std::size_t>(b);
     similitude_status status{};
     status.row = -1;
     evaluate_block(block, particles, gas, sizes, workspaces_[static_cast<std::size_t>(omp_get_thread_num())], status);
-    if (status.code != 0) {
-#pragma omp critical(similitude_drag_failure)
-      if (block < failed) {
-        failed = block;
-        failure = status;
-      }
-    }
+    failure.tell(block, status);
   }
-  if (failed == blocks) return;
-  const std::size_t row = failed * k_block_rows + static_cast<std::size_t>(failure.row < 0 ? 0 : failure.row);
+  if (!failure) return;
+  const std::size_t row = failure.block() * k_block_rows + static_cast<std::size_t>(failure.status().row < 0 ? 0 : failure.status().row);
   throw SimulationError(std::string("the drag law \"") + law_.descriptor().id + "\" failed at " +
-                            describe(particles, std::min(row, particles.size() - 1)) + ": " + failure.text + ".",
+                            describe(particles, std::min(row, particles.size() - 1)) + ": " + failure.status().text + ".",
                         "Lengths are the simulated bed's. Is the gas step too long, or the bed denser than the law allows?");
 }
 

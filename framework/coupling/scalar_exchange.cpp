@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <string>
 
+#include <similitude/sphere.h>
+
+#include "coupling/block_failure.h"
 #include "coupling/cell_map.h"
 #include "coupling/deposit.h"
 #include "coupling/smoothing.h"
 #include "fluid/scalar_transport.h"
-#include "particles/errors.h"
 
 namespace similitude {
 namespace {
@@ -140,7 +140,7 @@ void ScalarExchange::Parts::block(Phase phase, std::size_t number, std::size_t f
     const double d = drag_diameter(particles, p);
     const Row &v = particles.velocity[p], &u = particles.gas[p];
     work.column(Workspace::diameter)[n] = d;
-    work.column(Workspace::mass)[n] = species.density * (std::numbers::pi / 6 * (d * d * d));
+    work.column(Workspace::mass)[n] = species.density * sphere_volume(d);
     work.column(Workspace::fraction)[n] = gather(map.stencil(particles.position[p]), rows).w;
     work.column(Workspace::slip)[n] = std::sqrt((u.x - v.x) * (u.x - v.x) + (u.y - v.y) * (u.y - v.y) + (u.z - v.z) * (u.z - v.z));
     work.column(Workspace::density)[n] = scene.gas_density;
@@ -222,26 +222,16 @@ void ScalarExchange::Parts::pass(Phase phase, std::size_t number, ParticleStore&
     }
   }
   const std::size_t blocks = (particles.size() + k_block_rows - 1) / k_block_rows;
-  std::size_t failed = blocks;   // the first block that failed, whichever thread met it
-  similitude_status failure{};
+  BlockFailure failure;
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t b = 0; b < signed_size(blocks); ++b) {
     const auto first = static_cast<std::size_t>(b) * k_block_rows;
     similitude_status status{};
     block(phase, number, first, std::min(k_block_rows, particles.size() - first), particles, dt,
           workspaces[static_cast<std::size_t>(omp_get_thread_num())], status);
-    if (status.code != 0) {
-#pragma omp critical(similitude_scalar_failure)
-      if (static_cast<std::size_t>(b) < failed) {
-        failed = static_cast<std::size_t>(b);
-        failure = status;
-      }
-    }
+    failure.tell(static_cast<std::size_t>(b), status);
   }
-  if (failed < blocks) {
-    throw SimulationError(std::string("the effect \"") + effect.effect->descriptor().id + "\" failed: " + failure.text,
-                          "Leave it out of models.effects, or ask its author.");
-  }
+  if (failure) throw_failure(*effect.effect, failure.status());
 }
 
 /// a and b of every gas scalar, from what the effects asked for.

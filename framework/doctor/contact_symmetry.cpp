@@ -7,8 +7,8 @@
 #include <limits>
 #include <numeric>
 #include <random>
-#include <thread>
 
+#include "doctor/at_once.h"
 #include "doctor/contact_block.h"
 #include "doctor/contact_impact.h"
 #include "doctor/suites.h"
@@ -290,25 +290,20 @@ Outcome check_contact_threads(const PluginEntry& plugin) {
     for (std::size_t n = 0; n < k_contacts; ++n) blocks[t].set(n, contacts.rows[(n + t * k_contacts / threads) % k_contacts]);
   }
   std::vector<std::string> words(threads);
-  const auto work = [&](std::size_t t) {
-    try {
-      for (int round = 0; round < rounds && words[t].empty(); ++round) {
-        for (std::size_t n = 0; n < k_contacts; ++n) blocks[t].forget(n);
-        blocks[t].advance(dt);
-        for (std::size_t n = 0; n < k_contacts && words[t].empty(); ++n)
-          words[t] = difference(alone, (n + t * k_contacts / threads) % k_contacts, blocks[t], n);
-      }
-    } catch (const std::exception& error) {
-      words[t] = error.what();
+  const std::vector<std::string> thrown = at_once(threads, [&](std::size_t t) {
+    for (int round = 0; round < rounds && words[t].empty(); ++round) {
+      for (std::size_t n = 0; n < k_contacts; ++n) blocks[t].forget(n);
+      blocks[t].advance(dt);
+      for (std::size_t n = 0; n < k_contacts && words[t].empty(); ++n)
+        words[t] = difference(alone, (n + t * k_contacts / threads) % k_contacts, blocks[t], n);
     }
-  };
-  std::vector<std::thread> team;
-  for (std::size_t t = 0; t < threads; ++t) team.emplace_back(work, t);
-  for (std::thread& thread : team) thread.join();
-  for (const std::string& word : words)
+  });
+  for (std::size_t t = 0; t < threads; ++t) {
+    const std::string& word = thrown[t].empty() ? words[t] : thrown[t];
     if (!word.empty())
       return fail("when 4 threads ask at once " + word + ".",
                   "Keep nothing between calls, in the model or in statics: several threads call one model at once.");
+  }
   return ok(fmt::format("4 threads at once, {} answers, the same bits as one", threads * rounds * k_contacts));
 }
 

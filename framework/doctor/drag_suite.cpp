@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <thread>
 
+#include "doctor/at_once.h"
 #include "doctor/guarded_column.h"
 #include "doctor/suites.h"
 #include "doctor/trial_values.h"
@@ -236,22 +236,14 @@ Outcome check_threads(const PluginEntry& plugin) {
     blocks.emplace_back(law, turned);
   }
   std::vector<std::size_t> wrong(threads, 0);
-  std::vector<std::string> words(threads);
-  const auto work = [&](std::size_t t) {
-    try {
-      for (int round = 0; round < rounds; ++round) {
-        const std::vector<double> k = blocks[t].exchange();
-        for (std::size_t n = 0; n < k.size(); ++n)
-          wrong[t] += k[n] != alone[(n + t * states.size() / threads) % states.size()] && !std::isnan(k[n]) ? 1 : 0;
-      }
-    } catch (const std::exception& error) {
-      words[t] = error.what();
+  const std::vector<std::string> thrown = at_once(threads, [&](std::size_t t) {
+    for (int round = 0; round < rounds; ++round) {
+      const std::vector<double> k = blocks[t].exchange();
+      for (std::size_t n = 0; n < k.size(); ++n)
+        wrong[t] += k[n] != alone[(n + t * states.size() / threads) % states.size()] && !std::isnan(k[n]) ? 1 : 0;
     }
-  };
-  std::vector<std::thread> team;
-  for (std::size_t t = 0; t < threads; ++t) team.emplace_back(work, t);
-  for (std::thread& thread : team) thread.join();
-  for (const std::string& word : words)
+  });
+  for (const std::string& word : thrown)
     if (!word.empty()) return fail("with 4 threads it reports: " + word, "Keep nothing between calls: several threads call one model at once.");
   const std::size_t all = std::accumulate(wrong.begin(), wrong.end(), std::size_t{0});
   if (all != 0)

@@ -20,8 +20,8 @@ ContactEffects::ContactEffects(const similitude_contact_needs& law, std::span<co
   memory_.count = law.history_count;
   std::copy_n(law.history_parity, law.history_count, memory_.parity.begin());
   for (const EffectModel& effect : all) {
-    if (!effect.functions().contacts || (needs_of(effect).adds & SIMILITUDE_ADDS_FLOW_ALONE) != 0) continue;
     const similitude_effect_needs needs = needs_of(effect);
+    if (!effect.functions().contacts || (needs.adds & SIMILITUDE_ADDS_FLOW_ALONE) != 0) continue;
     if (memory_.count + needs.history_count > k_most_history) {
       throw std::invalid_argument("a contact would have to remember more than " + std::to_string(k_most_history) + " values");
     }

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include <similitude/sphere.h>
+
 #include "particles/bed_cache.h"
 #include "particles/lattice.h"
 #include "particles/particle_file.h"
@@ -38,7 +40,7 @@ std::vector<std::int64_t> counts(const ModelScene& scene) {
   for (const ParticleClass& type : scene.particles) {
     if (scene.bed.height) {
       const double d = type.diameter, height = *scene.bed.height + 2 * d;
-      const double each = std::numbers::pi / 6 * (d * d * d) * static_cast<double>(scene.particles.size());
+      const double each = sphere_volume(d) * static_cast<double>(scene.particles.size());
       out.push_back(static_cast<std::int64_t>(std::ceil(k_densest_bed * scene.size[0] * scene.size[1] * height / each)));
     } else {
       out.push_back(type.count.value_or(0));

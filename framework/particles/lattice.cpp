@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <similitude/sphere.h>
+
 #include "particles/surfaces.h"
 
 namespace similitude {
@@ -130,10 +132,7 @@ Places lattice_places(const ModelScene& scene, const std::vector<std::uint32_t>&
 
 Places crowded_places(const ModelScene& scene, const std::vector<std::uint32_t>& classes) {
   double volume = 0;   // [m^3]
-  for (const std::uint32_t c : classes) {
-    const double d = scene.particles[c].diameter;
-    volume += std::numbers::pi / 6 * (d * d * d);
-  }
+  for (const std::uint32_t c : classes) volume += sphere_volume(scene.particles[c].diameter);
   const double each = volume / static_cast<double>(classes.size()) / k_crowded_fraction;   // [m^3], room per particle
   const double spacing = std::cbrt(each);
   const int rows = std::max(1, static_cast<int>(std::lround(scene.size[1] / spacing)));

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
+#include <similitude/sphere.h>
 
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
@@ -17,8 +17,6 @@ namespace {
 constexpr double k_same_volume = 1e-6;   // of the volume: ratios that were written by hand agree so far
 
 double cube(double x) { return x * x * x; }
-
-double sphere_volume(double diameter) { return std::numbers::pi / 6 * cube(diameter); }
 
 // ------------------------------------------------------------------------------------------------- what the bed is
 

@@ -133,7 +133,7 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   strategy.particle_steps = bed.particle_steps;
   strategy.speedup = comparison.particle_steps / bed.particle_steps;
   strategy.wall_s = bed.particle_steps / comparison.particle_steps_per_s +
-                    std::ceil(assembly.model.time.end / bed.steps.gas_dt()) *
+                    static_cast<double>(bed.steps.gas_steps_until(assembly.model.time.end)) *
                         (comparison.gas_step_s + comparison.exchange_s * bed.particles);
   return strategy;
 }

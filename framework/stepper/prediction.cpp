@@ -14,6 +14,7 @@
 #include "stepper/bed.h"
 #include "stepper/inspection.h"
 #include "stepper/run_outputs.h"
+#include "stepper/seconds_since.h"
 #include "stepper/simulation.h"
 #include "stepper/stop_signal.h"
 
@@ -28,10 +29,6 @@ constexpr int k_windows = 9;                       // of time, of which the midd
 // the inlet in the small spouted bed of configs/studies.
 constexpr double k_fountain_share = 0.02;          // of the grains, the topmost
 constexpr double k_fountain_speed = 0.12;          // of the fastest inlet
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The bed as the run will find it; a lattice in its place where settling would take long.
 ParticleStore bed_to_try(const Assembly& assembly, const TimeSteps& steps, std::int64_t expected) {
@@ -145,7 +142,7 @@ void calibrate(const Assembly& assembly, const TimeSteps& steps, double gas_step
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
   PredictedCost cost;
   cost.particles = expected_particles(assembly.model);
-  const double gas_steps = std::ceil(assembly.model.time.end / steps.gas_dt() * (1 - 1e-12));
+  const auto gas_steps = static_cast<double>(steps.gas_steps_until(assembly.model.time.end));
   cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);
   try {
     calibrate(assembly, steps, gas_steps, cost);

@@ -24,6 +24,7 @@
 #include "stepper/occurred.h"
 #include "stepper/resume.h"
 #include "stepper/run_outputs.h"
+#include "stepper/seconds_since.h"
 #include "stepper/simulation.h"
 #include "stepper/stop_signal.h"
 #include "stepper/version.h"
@@ -172,7 +173,7 @@ class CaseRun {
   }
 
   double wall() const {
-    return wall_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return wall_before_ + seconds_since(start_);
   }
 
   std::vector<StageTime> stages() const {
@@ -321,8 +322,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   }
 
   const double end = options.until.value_or(case_file.scene.time.end);
-  const auto gas_steps =
-      static_cast<std::int64_t>(std::ceil(end * assembly.results.time / steps.gas_dt() * (1 - 1e-12)));
+  const std::int64_t gas_steps = steps.gas_steps_until(end * assembly.results.time);
 
   Simulation simulation(assembly, steps, std::move(bed.particles), warn);
   if (earlier) simulation.restore(earlier->checkpoint.state.simulation);

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "stepper/seconds_since.h"
+
 namespace similitude {
 namespace {
 
@@ -159,7 +161,7 @@ double RunOutputs::seconds_to_the_end(const Simulation& simulation) {
   const auto seconds_of = [](auto&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return seconds_since(start);
   };
   const Output& asked = assembly_.model.output;
   double seconds = times(asked.monitor_every, 0) * seconds_of([&] { write_monitors(simulation); });

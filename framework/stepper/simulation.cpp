@@ -5,14 +5,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "stepper/seconds_since.h"
+
 namespace similitude {
 namespace {
 
 constexpr std::int64_t k_steps_between_balances = 100;   // sums over all rows: a fraction of a percent of a step's cost
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 std::array<double, 3> cell_centre(const Grid& grid, std::size_t cell) {
   const auto nx = static_cast<std::size_t>(grid.cells(0));

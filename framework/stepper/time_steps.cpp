@@ -159,6 +159,11 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
 
 }  // namespace
 
+std::int64_t TimeSteps::gas_steps_until(double end) const {
+  constexpr double k_rounding = 1e-12;   // relative
+  return static_cast<std::int64_t>(std::ceil(end / gas_dt() * (1 - k_rounding)));
+}
+
 TimeSteps choose_time_steps(const Assembly& assembly) {
   TimeSteps steps;
   steps.limits = all_limits(assembly);

@@ -26,6 +26,8 @@ struct TimeSteps {
   double dt = 0;                   // [s], DEM sub-step
   std::int64_t sub_steps = 1;      // per gas step
   double gas_dt() const { return dt * static_cast<double>(sub_steps); }
+  /// That reach `end` [s]; a last step that rounding alone asks for is left out.
+  std::int64_t gas_steps_until(double end) const;
   std::vector<TimeStepLimit> limits;
   std::vector<std::string> warnings;
 };

@@ -21,8 +21,8 @@ fi
 root=$scratch/stranger
 rm -rf "$root"
 cp -a "$scratch/base" "$root"
-cp "$debs"/similitude_*.deb "$debs"/similitude-dev_*.deb "$root/root"
-cp "$here/follow.py" "$root/root"
+cp "$debs"/similitude_*.deb "$debs"/similitude-dev_*.deb "$root/srv"
+cp "$here/follow.py" "$root/srv"
 
 # Folder, name and environment of somebody who has never seen this project; processes and mounts end with the command.
 inside() {
@@ -33,15 +33,15 @@ inside() {
 echo "-- apt installs the packages with what they depend on"
 extra="libgtest-dev python3 python3-vtk9 python3-numpy"
 if [ -n "$paraview" ]; then extra="libgtest-dev python3 paraview python3-paraview xvfb xauth"; fi
-inside "apt-get update -qq; apt-get install -y -qq --no-install-recommends /root/similitude_*.deb /root/similitude-dev_*.deb $extra" \
+inside "apt-get update -qq; apt-get install -y -qq --no-install-recommends /srv/similitude_*.deb /srv/similitude-dev_*.deb $extra" \
   >"$scratch/apt.log" 2>&1 || { tail -30 "$scratch/apt.log" >&2; exit 1; }
 inside "similitude --version; similitude plugins failures" | tee "$scratch/version.txt"
 grep -qx "No file was refused." "$scratch/version.txt"
 
 echo "-- the tutorials that the package brings"
 pages=/usr/share/doc/similitude-dev/plugin-authors
-follow="cd /home/stranger; python3 /root/follow.py $paraview $pages/{drag,contact,scaling,effect,fluid}.md"
-if [ -n "$paraview" ]; then follow="cd /home/stranger; xvfb-run -a python3 /root/follow.py $paraview $pages/{drag,contact,scaling,effect,fluid}.md"; fi
+follow="cd /home/stranger; python3 /srv/follow.py $paraview $pages/{drag,contact,scaling,effect,fluid}.md"
+if [ -n "$paraview" ]; then follow="cd /home/stranger; xvfb-run -a python3 /srv/follow.py $paraview $pages/{drag,contact,scaling,effect,fluid}.md"; fi
 inside "mkdir -p /home/stranger; $follow"
 
 echo "-- the results"

@@ -67,9 +67,9 @@ struct MagnusLift {
     const Particle<double> p{.dt = 0, .diameter = bed.drag_diameter, .mass = 0, .velocity = {0, 0, 0}, .gas_velocity = {speed, 0, 0},
                              .gas_fraction = 1, .gas_density = bed.gas_density, .gas_viscosity = bed.gas_viscosity,
                              .angular_velocity = {0, 0, rate}, .gas_vorticity = {0, 0, 0}, .gas_acceleration = {0, 0, 0}};
-    const double reynolds = bed.gas_density * bed.drag_diameter * speed / bed.gas_viscosity;
-    const double drag = 3 * k_pi * bed.gas_viscosity * bed.drag_diameter * schiller_naumann_factor(reynolds) * speed;
-    return magnitude(particles(p).force) / drag;
+    const DragState<double> alone{.diameter = p.diameter, .gas_fraction = 1, .slip_speed = speed, .gas_density = p.gas_density,
+                                  .gas_viscosity = p.gas_viscosity};
+    return magnitude(particles(p).force) / (stokes_exchange(alone) * schiller_naumann_factor(particle_reynolds(alone)) * speed);
   }
 };
 

@@ -14,6 +14,7 @@
 #include <similitude/pack.h>
 #include <similitude/plugin.h>
 #include <similitude/restitution.h>
+#include <similitude/sphere.h>
 
 namespace similitude {
 
@@ -33,12 +34,6 @@ struct DragState {
 template <class V>
 V particle_reynolds(const DragState<V>& s) {
   return s.gas_density * s.diameter * s.slip_speed / s.gas_viscosity;
-}
-
-/// pi d^3 / 6 [m^3]
-template <class V>
-V sphere_volume(const V& diameter) {
-  return k_pi / 6 * (diameter * diameter * diameter);
 }
 
 /// K of Stokes' drag, 3 pi mu d [kg/s].
