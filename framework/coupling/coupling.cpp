@@ -93,15 +93,25 @@ struct Coupling::Parts {
   ExchangeCoefficient drag;
   CellRows solids;                  // impulse owed [N s] and solids volume [m^3]
   CellRows at_cells;                // gas as particles see it, or K v and K
+  bool gas_is_seen = false;         // at_cells holds the smoothed velocity of the gas as it is now
   CellRows sizes;                   // sum d^3, sum d^2; only if the drag law wants the Sauter diameter
   BlockSum sum;
   std::array<double, 3> pending{};  // [kg m/s]
   std::size_t accounts_opened = 0;
   std::uint64_t accounts_left = 0;
 
+  void see(const GasFields& gas);
   void deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction);
   void deposit_sizes(const ParticleStore& particles);
 };
+
+/// at_cells = the gas velocity, smoothed.
+void Coupling::Parts::see(const GasFields& gas) {
+  if (gas_is_seen) return;
+  read_columns(gas.velocity, at_cells);
+  smoothing.apply(at_cells);
+  gas_is_seen = true;
+}
 
 /// Solids volume and the impulse owed travel together, since both are known before the drag law is asked.
 void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction) {
@@ -166,6 +176,7 @@ Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& d
 Coupling::~Coupling() = default;
 
 void Coupling::start(const ParticleStore& particles) {
+  parts_->gas_is_seen = false;
   if (parts_->coupled) {
     parts_->deposit_solids(particles, fields_.gas_fraction);
     fields_.gas_fraction_old = fields_.gas_fraction;
@@ -188,10 +199,14 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
     parts.deposit_sizes(particles);
   }
 
-  read_columns(gas.velocity, parts.at_cells);
-  parts.smoothing.apply(parts.at_cells);
+  parts.see(gas);
   // The gas fraction is smooth already, so particles see it through the tent alone.
-  for (std::size_t c = 0; c < cells; ++c) parts.at_cells[c].w = fields_.gas_fraction[c];
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    parts.at_cells[c].w = fields_.gas_fraction[c];
+  }
+  parts.gas_is_seen = false;   // overwritten below, and the gas step to come changes it
   parts.drag.evaluate(particles, parts.at_cells, parts.sizes);
   if (!parts.coupled) return;
 
@@ -206,17 +221,21 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
   parts.smoothing.apply(parts.at_cells);
   const double per_volume = 1 / parts.map.cell_volume();
   write_columns(parts.at_cells, per_volume, fields_.exchange_velocity);
-  for (std::size_t c = 0; c < cells; ++c) fields_.exchange[c] = per_volume * parts.at_cells[c].w;
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    fields_.exchange[c] = per_volume * parts.at_cells[c].w;
+  }
 }
 
 void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, double dt) {
   Parts& parts = *parts_;
-  CellRows& velocity = parts.at_cells;
+  parts.gas_is_seen = false;
+  parts.see(gas);
   CellRows& stress = parts.solids;   // free between two deposits
-  read_columns(gas.velocity, velocity);
   read_columns(gas.stress_force, stress);
-  parts.smoothing.apply(velocity);
   parts.smoothing.apply(stress);
+  const CellRows& velocity = parts.at_cells;
   const auto& g = parts.gravity;
 
 #pragma omp parallel for schedule(static)
@@ -256,6 +275,7 @@ void Coupling::save(CouplingState& state) const {
 
 void Coupling::restore(const CouplingState& state) {
   fields_ = state.fields;
+  parts_->gas_is_seen = false;
   parts_->pending = state.pending;
   parts_->accounts_opened = static_cast<std::size_t>(state.accounts_opened);
   parts_->accounts_left = state.accounts_left;
