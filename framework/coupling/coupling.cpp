@@ -24,7 +24,9 @@ std::ptrdiff_t signed_size(std::size_t n) { return static_cast<std::ptrdiff_t>(n
 /// Sums of rows in blocks of fixed size: the same bits for any number of threads.
 class BlockSum {
  public:
-  std::array<double, 3> operator()(const Column<Row>& rows) {
+  /// visit(n) for all n < count; returns the sum of rows[n], each as visit(n) left it.
+  template <class Visit>
+  std::array<double, 3> after(const Column<Row>& rows, Visit&& visit) {
     constexpr std::size_t k_block = 1024;
     const std::size_t blocks = (rows.size() + k_block - 1) / k_block;
     partial_.resize(blocks);
@@ -33,6 +35,7 @@ class BlockSum {
       const auto block = static_cast<std::size_t>(b);
       Row sum;
       for (std::size_t p = block * k_block; p < std::min(rows.size(), (block + 1) * k_block); ++p) {
+        visit(p);
         sum.x += rows[p].x;
         sum.y += rows[p].y;
         sum.z += rows[p].z;
@@ -46,6 +49,9 @@ class BlockSum {
       total[2] += sum.z;
     }
     return total;
+  }
+  std::array<double, 3> operator()(const Column<Row>& rows) {
+    return after(rows, [](std::size_t) {});
   }
 
  private:
@@ -101,6 +107,9 @@ struct Coupling::Parts {
   std::uint64_t accounts_left = 0;
 
   void see(const GasFields& gas);
+  void owe(const std::array<double, 3>& received_less_charged) {
+    for (std::size_t axis = 0; axis < 3; ++axis) pending[axis] = -received_less_charged[axis];
+  }
   void deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction);
   void deposit_sizes(const ParticleStore& particles);
 };
@@ -238,9 +247,7 @@ void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, doubl
   const CellRows& velocity = parts.at_cells;
   const auto& g = parts.gravity;
 
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < signed_size(particles.size()); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  const auto received_less_charged = parts.sum.after(particles.drag_impulse, [&](std::size_t p) {
     const Stencil stencil = parts.map.stencil(particles.position[p]);
     const Row u = gather(stencil, velocity);
     const Row force = gather(stencil, stress);
@@ -253,15 +260,14 @@ void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, doubl
                                  displaced * (force.z - parts.gas_density * g[2]), 0};
     const double charge = parts.coupled ? -k * dt : 0;
     particles.drag_impulse[p] = {charge * (u.x - v.x), charge * (u.y - v.y), charge * (u.z - v.z), 0};
-  }
+  });
   parts.accounts_opened = particles.size();
-  settle_accounts(particles);
+  if (parts.coupled) parts.owe(received_less_charged);
 }
 
 void Coupling::settle_accounts(const ParticleStore& particles) {
   if (!parts_->coupled) return;
-  const std::array<double, 3> received_less_charged = parts_->sum(particles.drag_impulse);
-  for (std::size_t axis = 0; axis < 3; ++axis) parts_->pending[axis] = -received_less_charged[axis];
+  parts_->owe(parts_->sum(particles.drag_impulse));
   parts_->accounts_left += parts_->accounts_opened - particles.size();
   parts_->accounts_opened = particles.size();
 }
