@@ -24,16 +24,19 @@ void carry(const Component& component, std::size_t direction, const double* velo
   const Site* const sites = component.sites[direction].data();
   for_each_streak(component.site_streaks[direction], [=](const Streak& streak) {
     const Site& first = sites[streak.begin];
-    if (streak.regular) {
+    if (streak.course != Course::mixed) {
       const double *const far_below = velocity + first.far_below, *const below = velocity + first.below;
       const double *const above = velocity + first.above, *const far_above = velocity + first.far_above;
       const double *const flux_0 = flux + first.flux[0], *const flux_1 = flux + first.flux[1];
       double* const to = out + streak.begin;
       const Index count = streak.end - streak.begin;
+      along_course(streak.course, [=](auto below_moves, auto above_moves) {
 #pragma omp simd
-      for (Index i = 0; i < count; ++i) {
-        to[i] = carried<scheme>(0.5 * (flux_0[i] + flux_1[i]), far_below[i], below[i], above[i], far_above[i]);
-      }
+        for (Index i = 0; i < count; ++i) {
+          const Index b = below_moves ? i : 0, a = above_moves ? i : 0;
+          to[i] = carried<scheme>(0.5 * (flux_0[i] + flux_1[i]), far_below[b], below[b], above[a], far_above[a]);
+        }
+      });
       return;
     }
 #pragma omp simd
@@ -55,7 +58,7 @@ void collect(const Component& component, const std::array<double, 3>& spacing, c
     const double px = per_length[0], py = per_length[1], pz = per_length[2];
     double* const to = gain.data() + streak.begin;
     if (kind == Gain::first) std::fill(to, to + (streak.end - streak.begin), 0.0);
-    if (streak.regular) {
+    if (streak.course == Course::along) {
       const Sides& first = component.sides[u(streak.begin)];
       const double *const xl = at[0] + first.low[0], *const xh = at[0] + first.high[0], *const yl = at[1] + first.low[1];
       const double *const yh = at[1] + first.high[1], *const zl = at[2] + first.low[2], *const zh = at[2] + first.high[2];

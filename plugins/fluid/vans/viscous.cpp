@@ -16,7 +16,7 @@ void stretch(const Component& component, double spacing, const double* velocity,
     return mu * (twice_per_length * (above - below) - 2.0 / 3.0 * div);
   };
   for_each_streak(component.site_streaks[component.axis], [&](const Streak& streak) {
-    if (streak.regular) {
+    if (streak.course == Course::along) {
       const Row cell = cells[streak.begin];
       const double *const below = velocity + sites[streak.begin].below, *const above = velocity + sites[streak.begin].above;
       const double* const div = divergence + cell;
@@ -43,17 +43,20 @@ void shear(const Component& component, std::size_t direction, const std::array<d
     return mu * (share * ((above - below) * per_length) + cross * ((crossing_1 - crossing_0) * per_length_along));
   };
   for_each_streak(component.site_streaks[direction], [&](const Streak& streak) {
-    if (streak.regular) {
+    if (streak.course != Course::mixed) {
       const Site& first = sites[streak.begin];
       const double *const below = velocity + first.below, *const above = velocity + first.above;
       const double *const crossing_0 = crossing + first.flux[0], *const crossing_1 = crossing + first.flux[1];
       const double share = first.shear, cross = first.cross;
       double* const to = tension + streak.begin;
       const Row count = streak.end - streak.begin;
+      along_course(streak.course, [&](auto below_moves, auto above_moves) {
 #pragma omp simd
-      for (Row i = 0; i < count; ++i) {
-        to[i] = tension_of(viscosity(first.below + i, first.above + i), share, cross, below[i], above[i], crossing_0[i], crossing_1[i]);
-      }
+        for (Row i = 0; i < count; ++i) {
+          const Row b = below_moves ? i : 0, a = above_moves ? i : 0;
+          to[i] = tension_of(viscosity(first.below + b, first.above + a), share, cross, below[b], above[a], crossing_0[i], crossing_1[i]);
+        }
+      });
       return;
     }
     for (Row n = streak.begin; n < streak.end; ++n) {
@@ -101,7 +104,7 @@ void pull(const Component& component, const std::array<double, 3>& spacing, cons
     for (std::size_t b = 0; b < 3; ++b) {
       if (on_patch && b == component.axis) continue;
       const double factor = per_length[b];
-      if (streak.regular) {
+      if (streak.course == Course::along) {
         const double *const low = at[b] + first.low[b], *const high = at[b] + first.high[b];
 #pragma omp simd
         for (Row i = 0; i < count; ++i) to[i] += (high[i] - low[i]) * factor;
