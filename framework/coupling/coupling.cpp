@@ -7,6 +7,7 @@
 #include "coupling/deposit.h"
 #include "coupling/exchange_coefficient.h"
 #include "coupling/smoothing.h"
+#include "fluid/staggered.h"
 
 namespace similitude {
 
@@ -61,7 +62,7 @@ class BlockSum {
 /// Three columns of a cell field as the first three of each row; the fourth becomes zero.
 void read_columns(const Column<double>& columns, CellRows& rows) {
   const std::size_t cells = rows.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     rows[c] = {columns[c], columns[cells + c], columns[2 * cells + c], 0};
@@ -70,7 +71,7 @@ void read_columns(const Column<double>& columns, CellRows& rows) {
 
 void write_columns(const CellRows& rows, double factor, Column<double>& columns) {
   const std::size_t cells = rows.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     columns[c] = factor * rows[c].x;
@@ -135,7 +136,7 @@ void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<doub
       solids);
   smoothing.apply(solids);
   const double cell_volume = map.cell_volume();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(solids.size()) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(solids.size()); ++i) {
     const auto c = static_cast<std::size_t>(i);
     gas_fraction[c] = 1 - solids[c].w / cell_volume;
@@ -210,7 +211,7 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
 
   parts.see(gas);
   // The gas fraction is smooth already, so particles see it through the tent alone.
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     parts.at_cells[c].w = fields_.gas_fraction[c];
@@ -230,7 +231,7 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
   parts.smoothing.apply(parts.at_cells);
   const double per_volume = 1 / parts.map.cell_volume();
   write_columns(parts.at_cells, per_volume, fields_.exchange_velocity);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     fields_.exchange[c] = per_volume * parts.at_cells[c].w;

@@ -8,6 +8,7 @@
 #include <similitude/sphere.h>
 
 #include "coupling/block_failure.h"
+#include "fluid/staggered.h"
 #include "particles/contact_effects.h"
 
 namespace similitude {
@@ -108,7 +109,7 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
 }
 
 void EffectPass::apply(ParticleStore& particles, const Column<double>& gas_fraction, double gas_dt) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (static_cast<Index>(fraction_.size()) >= k_worth_threads)
   for (std::ptrdiff_t c = 0; c < static_cast<std::ptrdiff_t>(fraction_.size()); ++c) {
     fraction_[static_cast<std::size_t>(c)].w = gas_fraction[static_cast<std::size_t>(c)];
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fluid/staggered.h"
+
 namespace similitude {
 
 Smoothing::Smoothing(const CellMap& map, double length) : map_(map) {
@@ -46,7 +48,7 @@ void Smoothing::apply(CellRows& field) {
   for (int step = 0; step < steps_; ++step) {
     const double* const from = &field.data()->x;
     double* const to = &scratch_.data()->x;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (static_cast<Index>(map_.cell_count()) >= k_worth_threads)
     for (std::ptrdiff_t r = 0; r < runs; ++r) {
       const Run& run = runs_[static_cast<std::size_t>(r)];
       const auto& at = run.neighbour;
