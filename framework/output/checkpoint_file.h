@@ -14,7 +14,7 @@
 namespace similitude {
 
 /// Raised when an older program would misread a file, or this one an older file.
-inline constexpr std::uint64_t k_checkpoint_format = 1;
+inline constexpr std::uint64_t k_checkpoint_format = 2;
 
 /// What a state belongs to: it goes on with the same case, steps and plugins only.
 struct RunIdentity {

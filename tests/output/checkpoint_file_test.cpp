@@ -183,7 +183,7 @@ TEST(CheckpointFile, OfAnotherFormatSaysSo) {
   const std::uint64_t format = 999;
   file.attribute("/", "format", &format, {Hdf5Column::Type::u64, 1, 1});
   write_whole_file(folder / "new.h5", file.bytes());
-  EXPECT_EQ(message_of<CheckpointFormatError>([&] { read_checkpoint(folder / "new.h5"); }), "format 999; this program reads format 1");
+  EXPECT_EQ(message_of<CheckpointFormatError>([&] { read_checkpoint(folder / "new.h5"); }), "format 999; this program reads format 2");
 }
 
 // /dev/full answers every write as a full disk does.
