@@ -194,6 +194,7 @@ TEST_F(ParticleFile, VtpThatIsBrokenIsRefusedInOneSentence) {
   EXPECT_EQ(refusal("bed.vtp", whole.substr(0, whole.size() / 2)), broken);
   EXPECT_EQ(refusal("bed.vtp", with("NumberOfPoints=\"2\"", "NumberOfPoints=\"99999\"")), broken);
   EXPECT_EQ(refusal("bed.vtp", with("NumberOfComponents=\"3\"", "NumberOfComponents=\"-3\"")), broken);
+  EXPECT_EQ(refusal("bed.vtp", with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2147483648\"")), broken);   // VTK would read for hours
   EXPECT_EQ(refusal("bed.vtp", with("type=\"PolyData\"", "type=\"ImageData\"")), broken);
   EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("diameter", 1, "0.001"))), broken);   // two points
   EXPECT_EQ(refusal("bed.vtp", ""), broken);

@@ -41,6 +41,7 @@ TEST(PackedColumn, HasTheClosedFormPressureDrop) {
   const double drop = (run.pressure_at({1, 1, 2}) - run.pressure_at({1, 1, 17})) / 0.15;
   const double exact = exchange * superficial / (fraction * fraction);
   EXPECT_NEAR(drop, exact, 1e-8 * exact);
+  test::record({"pressure drop of a packed column, model A", "closed form", test::percent(std::abs(drop / exact - 1)), ""});
   EXPECT_NEAR(run.stress_at(2, {1, 0, 10}), exact, 1e-8 * exact);  // what holds particles up
   EXPECT_NEAR(run.velocity_at(2, {1, 0, 10}), superficial / fraction, 1e-9);
 }
@@ -58,6 +59,7 @@ TEST(PackedColumn, HasTheSamePressureDropInModelB) {
   const double drop = (run.pressure_at({1, 1, 2}) - run.pressure_at({1, 1, 17})) / 0.15;
   const double exact = exchange * superficial / (fraction * fraction);
   EXPECT_NEAR(drop, exact, 1e-8 * exact);
+  test::record({"the same, model B", "closed form", test::percent(std::abs(drop / exact - 1)), ""});
   for (const double stress : run.stress_force) EXPECT_EQ(stress, 0);
 }
 
