@@ -42,7 +42,7 @@ struct Benchmark {
 struct Errors {
   Worst force, overlap, duration;   // [-]
   std::string words() const {
-    return percent(force.value) + " (force), " + percent(overlap.value) + " (overlap), " + percent(duration.value) + " (time, in steps of 0.1 %)";
+    return percent(force.value) + " (force), " + percent(overlap.value) + " (overlap), " + percent(duration.value) + " (time)";
   }
 };
 
