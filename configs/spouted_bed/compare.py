@@ -24,7 +24,7 @@ def profiles_of(run):
         return profiles
     with open(file, encoding="utf-8") as lines:
         for row in csv.DictReader(lines):
-            mean, error = float(row["mean"]), float(row["standard error"])
+            mean, error = (float(row[name] or "nan") for name in ("mean", "standard error"))
             if row["sampler"] != SAMPLER or not math.isfinite(mean):
                 continue
             half = NORMAL * error if math.isfinite(error) and float(row["blocks"]) >= FEW_BLOCKS else math.nan
