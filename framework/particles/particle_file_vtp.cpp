@@ -124,8 +124,9 @@ std::vector<FileParticle> read_vtp_particles(const std::string& file) {
         refuse("expected a finite position and velocity.");
       }
     }
-    if (particle.diameter && !(*particle.diameter > 0)) refuse("expected a diameter greater than 0.");
-    if (particle.density && !(*particle.density > 0)) refuse("expected a density greater than 0.");
+    const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+    if (particle.diameter && !positive(*particle.diameter)) refuse("expected a diameter greater than 0.");
+    if (particle.density && !positive(*particle.density)) refuse("expected a density greater than 0.");
   }
   return particles;
 }

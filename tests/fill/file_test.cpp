@@ -177,6 +177,7 @@ TEST_F(ParticleFile, VtpErrorsNameThePointAndWhatWasExpected) {
   // Numbers that are none survive only in VTK's own binary form.
   constexpr double k_none = std::numeric_limits<double>::quiet_NaN(), k_endless = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"density", 1, {k_none}}})), "bed.vtp: point 0: expected a density greater than 0.");
+  EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"radius", 1, {k_endless}}})), "bed.vtp: point 0: expected a diameter greater than 0.");
   EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}, {0.02, k_endless, 0.03}}, {})),
             "bed.vtp: point 1: expected a finite position and velocity.");
   EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"velocity", 3, {0, k_none, 0}}})),
