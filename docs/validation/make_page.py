@@ -3,19 +3,13 @@
     docs/validation/run_all.py [RESULTS]                          makes the runs
     /usr/bin/python3 docs/validation/make_page.py [RESULTS [PAGE]]    default: results/validation, docs/validation.md
 """
-import importlib.util
 import pathlib
 import sys
 
+import spouted_bed
+import yue2020
+
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
-BEDS = ["yue2020", "spouted_bed"]   # folders of configs/ with a compare.py
-
-
-def section_of(bed, results, pictures):
-    spec = importlib.util.spec_from_file_location(f"compare_{bed}", SOURCE / "configs" / bed / "compare.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.section(results, pictures)
 
 
 def main():
@@ -27,8 +21,8 @@ def main():
              "Runs against measurements, and scaled beds against the bed that they stand for. Written by `/usr/bin/python3 "
              "docs/validation/make_page.py` from the runs that `docs/validation/run_all.py` makes, as many as there are: each table says what was "
              "run, how far and on what. Comparisons with closed forms and other codes: [verification](verification.md)."]
-    for bed in BEDS:
-        lines += [""] + section_of(bed, results, pictures)
+    for bed in (yue2020, spouted_bed):
+        lines += [""] + bed.section(results, pictures)
     page.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(page)
 

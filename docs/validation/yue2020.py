@@ -1,5 +1,4 @@
-"""Profiles of the runs of this folder over those that Yue et al. (2020) measured: a section of docs/validation.md, which
-docs/validation/make_page.py writes.
+"""Profiles of the runs of configs/yue2020 over those that Yue et al. (2020) measured: a section of docs/validation.md.
 
 Speeds are means of |v| of the particles whose centres lie within 5 mm of a height, over the whole depth as in Lethe's comparison with the same
 data, or over the front sixth of it, which is what a camera sees. All frames from the case's `output.profiles.from` on; intervals
@@ -7,14 +6,12 @@ are 95 % from ten blocks of time.
 """
 import csv
 import pathlib
-import sys
 
 import numpy as np
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent / "docs" / "validation"))
-from runs import frames_of, run_of, table, what_was_run   # noqa: E402
+from runs import frames_of, run_of, table, what_was_run
 
+PIV = pathlib.Path(__file__).resolve().parent.parent.parent / "configs" / "yue2020" / "piv"
 HEIGHTS = {30: "015", 60: "030", 90: "045", 120: "060", 150: "075", 160: "080"}   # mm: file of the measurement
 CASES = ["parcel", "link", "coarse_grain", "similarity", "exact"]
 WIDTH, DEPTH, BIN, BAND, BLOCKS = 280.0, 40.0, 7.0, 5.0, 10   # mm, mm, mm, mm, -
@@ -24,7 +21,7 @@ POINTS_APART = 7.0  # mm, of the measurement
 
 
 def measured(height):
-    with open(HERE / "piv" / f"spouted_bed_data_{HEIGHTS[height]}.csv", encoding="utf-8") as file:
+    with open(PIV / f"spouted_bed_data_{HEIGHTS[height]}.csv", encoding="utf-8") as file:
         rows = [(float(x), float(v)) for x, v in list(csv.reader(file))[1:]]
     return np.array(rows).T
 

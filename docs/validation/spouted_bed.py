@@ -1,14 +1,10 @@
-"""The bed of the paper at its full size: four scaling laws over the bed of every grain, a section of docs/validation.md, which
-docs/validation/make_page.py writes from the runs' profiles.csv. Intervals are 95 %, of block averages.
+"""The bed of the paper at its full size: four scaling laws over the bed of every grain, a section of docs/validation.md from the runs'
+profiles.csv. Intervals are 95 %, of block averages.
 """
 import csv
 import math
-import pathlib
-import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent.parent / "docs" / "validation"))
-from runs import run_of, table, what_was_run   # noqa: E402
+from runs import run_of, table, what_was_run
 
 CASES = ["terminal_velocity", "glicksman", "parcel", "link", "exact"]
 SAMPLER = "vertical_velocity [m/s]"
