@@ -257,6 +257,20 @@ TEST_F(FillFromFile, TakesTheClassNearestInSizeOrTheType) {
   EXPECT_EQ(particles.species[1], 1u);
 }
 
+TEST_F(FillFromFile, RefusesWhatIsFarFromItsClass) {
+  const std::string mend = "\n  Give such particles a class of their own in scene.particles. Files hold metres and kg/m^3 of the real bed.";
+  const ModelScene bed = scene("bed.csv", "x,y,z\n0.001,0.001,0.001\n");
+  const std::string of_class = " of its class " + bed.particles[0].name + "." + mend;
+  const double d = bed.particles[0].diameter, density = bed.particles[0].density;   // [m], [kg/m^3]
+  const auto said = [&](const std::string& column, double value) {
+    return refusal_of(scene("bed.csv", "x,y,z," + column + "\n0.001,0.001,0.001," + std::to_string(value) + "\n"));
+  };
+  EXPECT_EQ(said("diameter", 11 * d).find("bed.csv:2: a diameter of "), 0u);
+  EXPECT_NE(said("diameter", 11 * d).find(of_class), std::string::npos);
+  EXPECT_NE(said("density", density / 11).find(of_class), std::string::npos);
+  EXPECT_EQ(refusal_of(scene("bed.csv", "x,y,z,diameter\n0.001,0.001,0.001,5e-308\n")).find("bed.csv:2: a diameter of 5e-305 mm is far from the "), 0u);
+}
+
 TEST_F(FillFromFile, RefusesWhatIsOutsideTheDomainOrOfNoClass) {
   EXPECT_EQ(refusal_of(scene("bed.csv", "x,y,z\n0.001,0.001,0.07\n")),
             "bed.csv:2: z = 70 mm is outside the domain, 0 to 60 mm.\n  Positions are in metres of the real bed.");
