@@ -172,6 +172,26 @@ std::uint32_t class_of(const FileParticle& particle, const ModelScene& scene, co
   return nearest;
 }
 
+/// Time steps and cells are made for the classes: a particle that is another thing altogether would fly apart.
+void refuse_strangers(const FileParticle& particle, double diameter, double density, const ParticleClass& type, const ModelScene& scene,
+                      const FillOptions& options) {
+  constexpr double k_farthest = 10;   // [-], a thousandth of the mass has a thirtieth of the contact time, which steps resolve twenty-fold
+  const auto far = [](double one, double other) { return !(one < k_farthest * other && other < k_farthest * one); };
+  const auto refuse = [&](const std::string& what, const std::string& usual) {
+    throw InputError(source_of(particle, scene) + ": a " + what + " is far from the " + usual + " of its class " + type.name + ".",
+                     "Give such particles a class of their own in scene.particles. Files hold metres and kg/m^3 of the real bed.");
+  };
+  if (far(diameter, type.diameter)) {
+    refuse("diameter of " + in_mm(diameter / options.diameter_ratio), in_mm(type.diameter / options.diameter_ratio));
+  }
+  const auto in_kg = [&options](double simulated) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g kg/m^3", simulated / options.density_ratio);
+    return std::string(text);
+  };
+  if (far(density, type.density)) refuse("density of " + in_kg(density), in_kg(type.density));
+}
+
 void fill_from_file(ParticleStore& particles, const ModelScene& scene, const FillOptions& options) {
   const std::vector<FileParticle> read = read_particle_file(scene.bed.file);
   particles.reserve(read.size());
@@ -180,6 +200,7 @@ void fill_from_file(ParticleStore& particles, const ModelScene& scene, const Fil
     const ParticleClass& type = scene.particles[species];
     const double diameter = particle.diameter ? *particle.diameter * options.diameter_ratio : type.diameter;
     const double density = particle.density ? *particle.density * options.density_ratio : type.density;
+    refuse_strangers(particle, diameter, density, type, scene, options);
     std::array<double, 3> at{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       at[axis] = particle.position[axis] * options.length_ratio;

@@ -9,7 +9,9 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "particles/particle_file.h"
 #include "scene/messages.h"
@@ -48,6 +50,21 @@ class Listening {
   vtkLogger::Verbosity verbosity_;
 };
 
+/// VTK's reader looks for a name of each component of an array, one by one: for hours, where a file promises two thousand million.
+bool promises_too_many_components(const std::string& file) {
+  constexpr double k_most = 1000;   // [-], a tensor has nine
+  const std::string attribute = "NumberOfComponents";
+  std::ifstream in(file, std::ios::binary);
+  std::string head;   // all but what is raw
+  for (std::string line; std::getline(in, line) && line.find("<AppendedData") == std::string::npos;) head += line + '\n';
+  for (std::size_t at = 0; (at = head.find(attribute, at)) != std::string::npos;) {
+    at = head.find_first_not_of(" \t\r\n=\"'", at + attribute.size());
+    if (at == std::string::npos) return false;
+    if (std::strtod(head.c_str() + at, nullptr) > k_most) return true;
+  }
+  return false;
+}
+
 /// The point array of that name, with or without its unit; null if there is none.
 vtkDataArray* array_of(vtkPolyData& data, const std::string& name, const std::string& unit, int components, const std::string& file) {
   vtkDataArray* array = data.GetPointData()->GetArray((name + " [" + unit + "]").c_str());
@@ -74,7 +91,7 @@ std::vector<FileParticle> read_vtp_particles(const std::string& file) {
   reader->SetFileName(file.c_str());
   vtkPolyData* data = nullptr;
   try {
-    if (reader->CanReadFile(file.c_str())) {
+    if (!promises_too_many_components(file) && reader->CanReadFile(file.c_str())) {
       reader->Update();
       data = reader->GetOutput();
     }
@@ -107,8 +124,9 @@ std::vector<FileParticle> read_vtp_particles(const std::string& file) {
         refuse("expected a finite position and velocity.");
       }
     }
-    if (particle.diameter && !(*particle.diameter > 0)) refuse("expected a diameter greater than 0.");
-    if (particle.density && !(*particle.density > 0)) refuse("expected a density greater than 0.");
+    const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+    if (particle.diameter && !positive(*particle.diameter)) refuse("expected a diameter greater than 0.");
+    if (particle.density && !positive(*particle.density)) refuse("expected a density greater than 0.");
   }
   return particles;
 }

@@ -157,6 +157,19 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
   }
 }
 
+/// Steps are counted in whole numbers. What wants more of them than a double tells apart was not meant: an inlet of 1e308 m/s.
+void refuse_endless(double step, const Assembly& assembly, const TimeSteps& steps) {
+  constexpr double k_most = 0x1p53;
+  const TimeControl& time = assembly.model.time;
+  if (step > 0 && time.end / step < k_most) return;
+  const double to_real = 1 / assembly.results.time;
+  const auto least = std::ranges::min_element(steps.limits, {}, &TimeStepLimit::advised);
+  const std::string reason = time.dt || least == steps.limits.end() ? std::string() : fmt::format(" ({}: {})", least->name, least->because);
+  throw InputError(time.dt ? time.dt_mark : time.mark, "time.dt",
+                   fmt::format("steps of {:.3g} s never come to the end at {:.6g} s{}", step * to_real, time.end * to_real, reason),
+                   "A value of the case is far from what can be meant: is its unit right?");
+}
+
 }  // namespace
 
 std::int64_t TimeSteps::gas_steps_until(double end) const {
@@ -188,6 +201,8 @@ TimeSteps choose_time_steps(const Assembly& assembly) {
     steps.dt = binding->advised;
     if (time.gas_dt) steps.dt = std::min(steps.dt, *time.gas_dt);
   }
+
+  refuse_endless(steps.dt, assembly, steps);
 
   double gas_dt = steps.dt;
   if (time.gas_dt) {

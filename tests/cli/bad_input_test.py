@@ -21,6 +21,11 @@ class BadInput(CommandTest):
     def test_missing_unit(self):
         self.refuse("velocity: 3 m/s", "velocity: 3", 2, "case.yaml:9:", "unit")
 
+    def test_a_value_that_no_step_can_follow(self):
+        self.refuse("velocity: 3 m/s", "velocity: 1e308 m/s", 2, "case.yaml:", "time.dt: steps of 0 s never come to the end at", "gas CFL",
+                    "A value of the case is far from what can be meant: is its unit right?")
+        self.refuse("dt: auto", "dt: 1e-300 s", 2, "case.yaml:", "time.dt: steps of 1e-300 s never come to the end at")
+
     def test_missing_case_file(self):
         self.assert_refused(self.command("run", "nowhere.yaml"), 2, "nowhere.yaml")
 

@@ -8,6 +8,12 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
 #include "bed_of_springs.h"
 #include "particles/particle_file.h"
 #include "scene/messages.h"
@@ -17,12 +23,13 @@ namespace {
 
 class ParticleFile : public ::testing::Test {
  protected:
-  std::string refusal(const std::string& name, const std::string& text) {
-    const std::string file = folder.write(name, text);
+  std::string refusal(const std::string& name, const std::string& text) { return refusal_of(folder.write(name, text)); }
+  /// What is said of a file, which is named without its folder.
+  std::string refusal_of(const std::string& file) {
     try {
       read_particle_file(file);
     } catch (const InputError& error) {
-      const std::string what = error.what();
+      const std::string what = error.what(), name = std::filesystem::path(file).filename();
       const std::size_t at = what.find(file);
       return at == std::string::npos ? what : what.substr(0, at) + name + what.substr(at + file.size());
     }
@@ -95,28 +102,37 @@ TEST_F(ParticleFile, LammpsErrorsNameFileLineAndWhatWasExpected) {
             "bed.data: expected a section Atoms, found none.\n  Is this a LAMMPS data file (write_data)?");
 }
 
-TEST_F(ParticleFile, VtpGivesWhatOurOwnOutputHolds) {
+struct PointArray {
+  const char* name;
+  int components;
+  std::vector<double> values;
+};
+
+/// A file as VTK's own writer makes it.
+std::string written(const ScratchFolder& folder, const std::vector<std::array<double, 3>>& places, const std::vector<PointArray>& arrays) {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->InsertNextPoint(0.01, 0.02, 0.03);
+  for (const auto& place : places) points->InsertNextPoint(place.data());
   data->SetPoints(points);
-  const auto add = [&](const char* name, int components, std::array<double, 3> values) {
+  for (const PointArray& given : arrays) {
     vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->InsertNextTuple(values.data());
+    array->SetName(given.name);
+    array->SetNumberOfComponents(given.components);
+    for (const double value : given.values) array->InsertNextValue(value);
     data->GetPointData()->AddArray(array);
-  };
-  add("velocity [m/s]", 3, {1, 2, 3});
-  add("diameter [m]", 1, {0.001, 0, 0});
-  add("density", 1, {1040, 0, 0});
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   const std::string file = folder.path() + "/bed.vtp";
   writer->SetFileName(file.c_str());
   writer->SetInputData(data);
-  ASSERT_EQ(writer->Write(), 1);
-  const auto read = read_particle_file(file);
+  EXPECT_EQ(writer->Write(), 1);
+  return file;
+}
+
+TEST_F(ParticleFile, VtpGivesWhatOurOwnOutputHolds) {
+  const auto read = read_particle_file(
+      written(folder, {{0.01, 0.02, 0.03}}, {{"velocity [m/s]", 3, {1, 2, 3}}, {"diameter [m]", 1, {0.001}}, {"density", 1, {1040}}}));
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].position, (std::array<double, 3>{0.01, 0.02, 0.03}));
   EXPECT_EQ(read[0].velocity, (std::array<double, 3>{1, 2, 3}));
@@ -127,6 +143,66 @@ TEST_F(ParticleFile, VtpGivesWhatOurOwnOutputHolds) {
 TEST_F(ParticleFile, VtpThatIsNoneIsRefused) {
   EXPECT_EQ(refusal("bed.vtp", "x,y,z\n"),
             "bed.vtp: expected a VTK XML PolyData file (.vtp).\n  In ParaView: Save Data, as *.vtp.");
+}
+
+// Two points, as ParaView writes them; `arrays` and `places` are what differs.
+std::string vtp(const std::string& arrays, const std::string& places = "0.01 0.02 0.03 0.02 0.02 0.03") {
+  return R"(<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian"><PolyData><Piece NumberOfPoints="2" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<PointData>)" + arrays + R"(</PointData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">)" + places + R"(</DataArray></Points>
+</Piece></PolyData></VTKFile>
+)";
+}
+
+std::string vtp_array(const std::string& name, int components, const std::string& values) {
+  return "<DataArray type=\"Float64\" Name=\"" + name + "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"ascii\">" + values +
+         "</DataArray>";
+}
+
+TEST_F(ParticleFile, VtpMayGiveRadiiAndNoUnits) {
+  const auto read = read_particle_file(folder.write("bed.vtp", vtp(vtp_array("radius", 1, "0.0005 0.001"))));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[1].diameter, 0.002);
+  EXPECT_EQ(read[1].position, (std::array<double, 3>{0.02, 0.02, 0.03}));
+}
+
+TEST_F(ParticleFile, VtpErrorsNameThePointAndWhatWasExpected) {
+  EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("velocity", 2, "1 2 3 4"))),
+            "bed.vtp: expected the point array velocity with 3 components, found 2.");
+  EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("diameter", 3, "1 2 3 4 5 6"))),
+            "bed.vtp: expected the point array diameter with 1 component, found 3.");
+  EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("diameter [m]", 1, "0.001 -0.001"))), "bed.vtp: point 1: expected a diameter greater than 0.");
+  EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("radius", 1, "0 0.001"))), "bed.vtp: point 0: expected a diameter greater than 0.");
+  // Numbers that are none survive only in VTK's own binary form.
+  constexpr double k_none = std::numeric_limits<double>::quiet_NaN(), k_endless = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"density", 1, {k_none}}})), "bed.vtp: point 0: expected a density greater than 0.");
+  EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"radius", 1, {k_endless}}})), "bed.vtp: point 0: expected a diameter greater than 0.");
+  EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}, {0.02, k_endless, 0.03}}, {})),
+            "bed.vtp: point 1: expected a finite position and velocity.");
+  EXPECT_EQ(refusal_of(written(folder, {{0.01, 0.02, 0.03}}, {{"velocity", 3, {0, k_none, 0}}})),
+            "bed.vtp: point 0: expected a finite position and velocity.");
+}
+
+// What VTK itself stumbles over, whatever it would say about it.
+TEST_F(ParticleFile, VtpThatIsBrokenIsRefusedInOneSentence) {
+  const std::string whole = vtp(vtp_array("diameter", 1, "0.001 0.001"));
+  const std::string broken = "bed.vtp: expected a VTK XML PolyData file (.vtp).\n  In ParaView: Save Data, as *.vtp.";
+  const auto with = [&whole](const std::string& was, const std::string& is) {
+    std::string text = whole;
+    return text.replace(text.find(was), was.size(), is);
+  };
+  EXPECT_EQ(refusal("bed.vtp", whole.substr(0, whole.size() / 2)), broken);
+  EXPECT_EQ(refusal("bed.vtp", with("NumberOfPoints=\"2\"", "NumberOfPoints=\"99999\"")), broken);
+  EXPECT_EQ(refusal("bed.vtp", with("NumberOfComponents=\"3\"", "NumberOfComponents=\"-3\"")), broken);
+  EXPECT_EQ(refusal("bed.vtp", with("NumberOfComponents=\"3\"", "NumberOfComponents=\"2147483648\"")), broken);   // VTK would read for hours
+  EXPECT_EQ(refusal("bed.vtp", with("type=\"PolyData\"", "type=\"ImageData\"")), broken);
+  EXPECT_EQ(refusal("bed.vtp", vtp(vtp_array("diameter", 1, "0.001"))), broken);   // two points
+  EXPECT_EQ(refusal("bed.vtp", ""), broken);
+}
+
+TEST_F(ParticleFile, VtpThatIsNotThereIsNamed) {
+  EXPECT_EQ(refusal_of(folder.path() + "/none.vtp"), "cannot read the particle file none.vtp.");
 }
 
 TEST_F(ParticleFile, OfUnknownKindIsRefused) {
@@ -179,6 +255,20 @@ TEST_F(FillFromFile, TakesTheClassNearestInSizeOrTheType) {
   fill_bed(particles, bed, law, FillOptions{});
   EXPECT_EQ(particles.species[0], 0u);
   EXPECT_EQ(particles.species[1], 1u);
+}
+
+TEST_F(FillFromFile, RefusesWhatIsFarFromItsClass) {
+  const std::string mend = "\n  Give such particles a class of their own in scene.particles. Files hold metres and kg/m^3 of the real bed.";
+  const ModelScene bed = scene("bed.csv", "x,y,z\n0.001,0.001,0.001\n");
+  const std::string of_class = " of its class " + bed.particles[0].name + "." + mend;
+  const double d = bed.particles[0].diameter, density = bed.particles[0].density;   // [m], [kg/m^3]
+  const auto said = [&](const std::string& column, double value) {
+    return refusal_of(scene("bed.csv", "x,y,z," + column + "\n0.001,0.001,0.001," + std::to_string(value) + "\n"));
+  };
+  EXPECT_EQ(said("diameter", 11 * d).find("bed.csv:2: a diameter of "), 0u);
+  EXPECT_NE(said("diameter", 11 * d).find(of_class), std::string::npos);
+  EXPECT_NE(said("density", density / 11).find(of_class), std::string::npos);
+  EXPECT_EQ(refusal_of(scene("bed.csv", "x,y,z,diameter\n0.001,0.001,0.001,5e-308\n")).find("bed.csv:2: a diameter of 5e-305 mm is far from the "), 0u);
 }
 
 TEST_F(FillFromFile, RefusesWhatIsOutsideTheDomainOrOfNoClass) {

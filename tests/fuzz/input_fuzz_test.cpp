@@ -3,7 +3,7 @@
 // to finite numbers or a guard's words. Anything else, a crash or a hang, is a fault of the program.
 //
 // SIMILITUDE_INPUTS says how many (300), from SIMILITUDE_FIRST_INPUT (0) on; with SIMILITUDE_JOURNAL, a file, it goes on after the last
-// number that stands there. The input at work lies in fuzz_input.* of the working folder, for whoever looks at a crash.
+// number that stands there, and takes the file away when all are done, so that the next time begins anew. The input at work lies in fuzz_input.* of the working folder, for whoever looks at a crash.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -226,12 +226,13 @@ TEST(SpoiltInput, IsRefusedInWordsOrMakesSense) {
       ADD_FAILURE() << "neither refused nor accepted: " << problem.what();
     }
     ::alarm(0);
-    if (journal != nullptr && g_number % 100 == 99) std::ofstream(journal) << g_number;
+    if (journal != nullptr && g_number % 100 == 99 && !HasFailure()) std::ofstream(journal, std::ios::app) << g_number << "\n";
   }
   std::printf("  inputs %llu to %llu: %llu made sense, %llu refused, %llu stopped by a guard\n", static_cast<unsigned long long>(first),
               static_cast<unsigned long long>(g_number - 1), static_cast<unsigned long long>(accepted),
               static_cast<unsigned long long>(refused), static_cast<unsigned long long>(stopped));
   if (HasFailure()) return;   // the input stays to be looked at
+  if (journal != nullptr) std::filesystem::remove(journal);
   std::filesystem::current_path(std::filesystem::temp_directory_path());
   std::filesystem::remove_all(folder);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <string>
@@ -76,6 +77,12 @@ class Watch {
 
   void until(double time) { while (bed_.simulation->time() < time) step(); }
   void steps(int count) { for (int n = 0; n < count; ++n) step(); }
+  /// As long as it takes to fail: a case that holds must hold for SIMILITUDE_LONGER times as long as well.
+  void at_least(double time) { until(time * longer()); }
+  static int longer() {
+    const char* asked = std::getenv("SIMILITUDE_LONGER");
+    return asked != nullptr ? std::atoi(asked) : 1;
+  }
 
   void step() {
     Simulation& simulation = *bed_.simulation;

@@ -1,7 +1,8 @@
 // Beds drawn by lot within the ranges that the reference pages give. None may end in a number that is none, or stop with words
 // that do not help. SIMILITUDE_SCENES says how many (20), from seed SIMILITUDE_FIRST_SEED (1) on; with SIMILITUDE_JOURNAL, a file, scenes
-// that it names are passed over and scenes that are done are added, so that a long scan can be broken off.
+// that it names are passed over and scenes that are done are added, so that a long scan can be broken off; the file goes when all are done.
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <set>
 
@@ -126,6 +127,7 @@ TEST(RandomScenes, RunOrSayHonestlyWhyNot) {
     }
     if (journal != nullptr && !HasFailure()) std::ofstream(journal, std::ios::app) << seed << "\n";
   }
+  if (journal != nullptr && !HasFailure()) std::filesystem::remove(journal);
   std::printf("  seeds %llu to %llu, %d stopped by a guard\n", static_cast<unsigned long long>(first),
               static_cast<unsigned long long>(first + scenes - 1), stopped);
 }

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -20,11 +23,18 @@ struct Record {
 };
 
 inline void record(const Record& r) {
-  testing::Test::RecordProperty("feature", r.feature);
-  testing::Test::RecordProperty("reference", r.reference);
-  testing::Test::RecordProperty("ours", r.ours);
-  testing::Test::RecordProperty("others", r.others);
+  ::testing::Test::RecordProperty("feature", r.feature);
+  ::testing::Test::RecordProperty("reference", r.reference);
+  ::testing::Test::RecordProperty("ours", r.ours);
+  ::testing::Test::RecordProperty("others", r.others);
 }
+
+/// The largest of the errors it was shown, whatever their sign.
+struct Worst {
+  double value = 0;
+  void see(double error) { value = std::max(value, std::abs(error)); }
+  void see(double ours, double exact) { see(ours / exact - 1); }
+};
 
 inline std::string percent(double ratio) { return fmt::format("{:.2g} %", 100 * ratio); }
 

@@ -134,6 +134,7 @@ TEST(MfixDem02, TheFilesBouncesAreThoseOfTheEquationOfMotion) {
 
 // DEM01: time and speed at each stage of the first bounce, with the contact in closed form.
 TEST(MfixDem01, FallContactAndRiseAreTheThreeClosedForms) {
+  Worst worst;   // [-], of the first fall
   for (const double e : {1.0, 0.8, 0.6}) {
     const Law law{5e4, e, true};
     Spheres spheres(LINEAR_SPRING, {{"stiffness", law.stiffness}, {"restitution", e}, {"friction", 0}, {"attraction", 1}}, {1, 1, 1}, k_gravity);
@@ -159,14 +160,19 @@ TEST(MfixDem01, FallContactAndRiseAreTheThreeClosedForms) {
     };
     const auto at = [&](double t) { return std::round(t / dt) * dt; };   // the time really simulated
     const double bound = 0.005 * (k_release - r);
-    EXPECT_NEAR(height_at(0.5 * touch), k_release - 0.5 * k_gravity * at(0.5 * touch) * at(0.5 * touch), bound) << e;
+    const auto expect = [&](double ours, double exact, double most) {
+      worst.see((ours - exact) / (k_release - r));
+      EXPECT_NEAR(ours, exact, most) << e;
+    };
+    expect(height_at(0.5 * touch), k_release - 0.5 * k_gravity * at(0.5 * touch) * at(0.5 * touch), bound);
     for (const double share : {0.25, 0.5, 0.75}) {
       const double t = touch + share * contact;
-      EXPECT_NEAR(height_at(t), in_contact(at(t) - touch), 0.05 * bound) << e;
+      expect(height_at(t), in_contact(at(t) - touch), 0.05 * bound);
     }
     const double t = touch + contact + 0.5 * leaves / k_gravity, risen = at(t) - touch - contact;
-    EXPECT_NEAR(height_at(t), r + leaves * risen - 0.5 * k_gravity * risen * risen, bound) << e;
+    expect(height_at(t), r + leaves * risen - 0.5 * k_gravity * risen * risen, bound);
   }
+  record({"fall, contact and rise of a sphere (MFIX DEM01)", "closed forms of the three stages", percent(worst.value) + " of the fall", "MFIX passes at 5 %"});
 }
 
 }  // namespace

@@ -67,9 +67,11 @@ void compare(int reynolds, double end) {
     upward.push_back(run.solver.face_velocity(2)[u(run.mesh.face(2, {n, 0, k_cells / 2}))]);
   }
   double worst_across = 0, worst_upward = 0;
+  std::vector<std::array<double, 3>> curve;
   for (const Point& point : ghia("ug", reynolds)) {
     const double here = between_cells(across, point.position, 0, 1);
     worst_across = std::max(worst_across, std::abs(here - point.value));
+    curve.push_back({point.position, here, point.value});
     EXPECT_NEAR(here, point.value, 0.02) << "u at y " << point.position;
   }
   for (const Point& point : ghia("vg", reynolds)) {
@@ -80,6 +82,7 @@ void compare(int reynolds, double end) {
   }
   test::record({fmt::format("lid-driven cavity, Re {}, 64 x 64", reynolds), "Ghia et al. 1982",
                 fmt::format("{:.3f} (u), {:.3f} (v) of the lid's speed", worst_across, worst_upward), "MFIX 0.003 to 0.010 on 128 x 128"});
+  test::record_curve(fmt::format("cavity_{}", reynolds), "height over the floor,u / lid,Ghia et al. (1982)", curve);
   std::printf("Re %d: largest differences u %.4f, v %.4f; change %.1e\n", reynolds, worst_across, worst_upward, change / dt);
 }
 

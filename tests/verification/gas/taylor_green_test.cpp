@@ -39,7 +39,8 @@ double vortex_error(int n, double viscosity, double end) {
 TEST(TaylorGreen, DecaysAtSecondOrder) {
   const double coarse = vortex_error(16, 0.1, 1), middle = vortex_error(32, 0.1, 1), fine = vortex_error(64, 0.1, 1);
   std::printf("errors %.3g %.3g %.3g: factors %.2f %.2f\n", coarse, middle, fine, coarse / middle, middle / fine);
-  test::record({"decaying vortices, 16 to 64 cells", "Taylor & Green 1937", fmt::format("order {:.2f}", std::log2(middle / fine)), ""});
+  test::record({"decaying vortices, 16 to 64 cells", "Taylor & Green 1937", fmt::format("order {:.2f}, {} of the velocity", std::log2(middle / fine), test::percent(fine)), ""});
+  test::record_curve("taylor_green", "cells per side,error of velocity,second order", {{16, coarse, coarse}, {32, middle, coarse / 4}, {64, fine, coarse / 16}});
   // At least second order: 4. What is left on these grids falls faster, the limiter's clipping of extremes included.
   EXPECT_GT(coarse / middle, 4);
   EXPECT_GT(middle / fine, 4);

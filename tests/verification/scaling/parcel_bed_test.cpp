@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "../bed/small_bed.h"
+#include "../record.h"
 
 namespace similitude::test {
 namespace {
@@ -60,6 +61,7 @@ TEST_P(ParcelBed, RestsOnTheGasWithTheWeightOfAllItsParticles) {
     ++samples;
   }
   EXPECT_NEAR(sum / samples, weight, 0.02 * weight);
+  record({fmt::format("fluidised bed of parcels, n = {}", n), "weight of all particles that they stand for", percent(std::abs(sum / samples / weight - 1)), ""});
   std::printf("  n = %g: %.0f parcels, %.1f Pa carry %.1f Pa\n", n, parcels, sum / samples, weight);
 }
 
