@@ -92,7 +92,7 @@ def colours(shown, array, preset, view):
     bar.Title = array
     bar.ComponentTitle = ""
     if bar.RangeLabelFormat.startswith("%"):      # as in ParaView 5: the ends of the range like the numbers between them
-        bar.RangeLabelFormat = "%.2g"
+        bar.RangeLabelFormat = "%.4g"
     bar.TitleColor = [0.0, 0.0, 0.0]
     bar.LabelColor = [0.0, 0.0, 0.0]
     shown.SetScalarBarVisibility(view, True)

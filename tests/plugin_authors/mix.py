@@ -18,7 +18,7 @@ NEEDED = {"stiffness": "100 N/m", "restitution": "0.9", "friction": "0.3", "youn
 SCENE = {
     "heat": ["scene.gas.temperature=600 K", "scene.particles.alumina.temperature=300 K",
              "scene.particles.alumina.heat_capacity=880 J/(kg K)", "scene.particles.alumina.conductivity=20 W/(m K)"],
-    "oxygen_carrier": ["scene.gas.fuel=0", "scene.patches.inlet.fuel=0.3", "scene.particles.alumina.conversion=0",
+    "oxygen_carrier": ["scene.gas.fuel=0", "scene.patches.jet.fuel=0.3", "scene.particles.alumina.conversion=0",
                        "scene.particles.alumina.oxygen_capacity=0.084"],
 }
 

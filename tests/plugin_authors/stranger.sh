@@ -33,8 +33,8 @@ done
 
 echo "-- a clean Debian 12"
 mmdebstrap --quiet --variant=minbase --aptopt='Acquire::Retries "3"' \
-  --customize-hook="cp '$debs'/similitude_*.deb '$debs'/similitude-dev_*.deb '$here'/type.sh '$here'/follow.py '$here'/mix.py \"\$1/srv\"" \
-  --customize-hook="if [ ! -e \"\$1/proc/self\" ]; then echo '-- without /proc: nothing may be mounted here'; fi" \
+  --customize-hook="cp '$debs'/similitude_*.deb '$debs'/similitude-dev_*.deb '$here'/type.sh '$here'/*.py \"\$1/srv\"" \
+  --customize-hook="'$here/without_proc.sh' \"\$1\"" \
   --customize-hook="chroot \"\$1\" $clean bash /srv/type.sh ${3:-}" \
   --customize-hook="cp -r \"\$1/home/stranger/seen/.\" '$scratch/seen'" \
   bookworm "$scratch/debian" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}"

@@ -30,4 +30,7 @@ for run in gibilaro sliding; do
   $python /usr/share/similitude/examples/05_paraview_view/measure.py $run/results/$run seen/$run.csv
   echo "$run, $(head -1 seen/$run.csv): $(tail -1 seen/$run.csv)"
 done
-if [ -n "$paraview" ]; then cp */*.png seen; fi
+if [ -n "$paraview" ]; then
+  $python /srv/pictures.py {gibilaro/gibilaro,sliding/sliding,grains/grains,rough/rough,wind/wind}.png
+  cp */*.png seen
+fi
