@@ -7,10 +7,3 @@ run_ctest build -L long --parallel 1
 if [ ! -e results/small_bed_exact ]; then
   build/bin/similitude run configs/small_bed/exact.yaml -o results/small_bed_exact
 fi
-
-echo "== a stranger with a clean Debian and the packages follows the tutorials for plugin authors; their pictures drawn by ParaView"
-cmake --preset portable >/dev/null
-cmake --build build-portable
-(cd build-portable && rm -f ./*.deb && cpack)
-tests/plugin_authors/stranger.sh build-portable build-portable/debian
-tests/plugin_authors/stranger.sh build-portable build-portable/debian --paraview

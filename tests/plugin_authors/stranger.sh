@@ -31,8 +31,12 @@ for proxy in http_proxy https_proxy no_proxy; do
   if [ -n "${!proxy:-}" ]; then clean+=" $proxy=${!proxy}"; fi
 done
 
+# Where namespaces are allowed, mounts and processes end with the command, whatever happens.
+apart=()
+if unshare --mount --pid --fork true 2>/dev/null; then apart=(unshare --mount --pid --fork --kill-child); fi
+
 echo "-- a clean Debian 12"
-mmdebstrap --quiet --variant=minbase --aptopt='Acquire::Retries "3"' \
+"${apart[@]}" mmdebstrap --quiet --variant=minbase --aptopt='Acquire::Retries "3"' \
   --customize-hook="cp '$debs'/similitude_*.deb '$debs'/similitude-dev_*.deb '$here'/type.sh '$here'/*.py \"\$1/srv\"" \
   --customize-hook="'$here/without_proc.sh' \"\$1\"" \
   --customize-hook="chroot \"\$1\" $clean bash /srv/type.sh ${3:-}" \
