@@ -8,8 +8,11 @@ CellMap::CellMap(const Grid& grid) : links_(grid.cell_count()) {
     cells_[a] = grid.cells(axis);
     periodic_[a] = grid.periodic(axis);
     spacing_[a] = grid.spacing(axis);
-    origin_[a] = grid.table().origin[axis];
   }
+  const double* const origin = grid.table().origin;
+  origin_ = {origin[0], origin[1], origin[2], 0};
+  width_ = {spacing_[0], spacing_[1], spacing_[2], 1};
+  extent_ = {static_cast<double>(cells_[0]), static_cast<double>(cells_[1]), static_cast<double>(cells_[2]), 0};
   layer_size_ = static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]);
 
   for (int k = 0; k < cells_[2]; ++k) {
@@ -32,6 +35,20 @@ CellMap::CellMap(const Grid& grid) : links_(grid.cell_count()) {
         }
       }
     }
+  }
+}
+
+void CellMap::bring_inside(Place& at) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::int32_t cell = at.cell[axis];
+    if (cell >= 0 && cell < cells_[axis]) continue;
+    if (periodic_[axis]) {
+      cell = (cell % cells_[axis] + cells_[axis]) % cells_[axis];
+    } else {
+      at.from_centre[axis] = cell < 0 ? -0.5 : 0.5;
+      cell = cell < 0 ? 0 : cells_[axis] - 1;
+    }
+    at.cell[axis] = cell;
   }
 }
 

@@ -18,9 +18,9 @@ using CellRows = Column<Row>;
 
 /// The cells that one particle touches and their weights, which sum to 1. A cell may appear more than once.
 struct Stencil {
-  std::array<std::uint32_t, 8> cell;   // cell[m + 4] is cell[m] or its neighbour along z
-  std::array<double, 8> weight;        // [-], >= 0
-  std::int32_t layer_step;             // -1 or +1: where along z the neighbours lie
+  std::array<std::uint32_t, 8> cell;              // cell[m + 4] is cell[m] or its neighbour along z
+  alignas(32) std::array<double, 8> weight;       // [-], >= 0
+  std::int32_t layer_step;                        // -1 or +1: where along z the neighbours lie
 };
 
 class CellMap {
@@ -39,48 +39,49 @@ class CellMap {
 
   /// The cell a position lies in. Periodic directions wrap; else positions outside count for the nearest cell.
   std::size_t cell_at(const Row& position) const {
-    const Place x = place(position.x, 0), y = place(position.y, 1), z = place(position.z, 2);
-    return index(x.cell, y.cell, z.cell);
+    const Place at = place(position);
+    return index(at.cell[0], at.cell[1], at.cell[2]);
   }
 
   /// The tent of one cell width around a position. Steps along x, then y, then z, each only through an open face: a
   /// weight that cannot pass stays where it is.
   Stencil stencil(const Row& position) const {
-    const Place x = place(position.x, 0), y = place(position.y, 1), z = place(position.z, 2);
+    const Place at = place(position);
+    const unsigned lower = pack::bits(at.from_centre < 0);   // which neighbour the tent reaches along each axis
+    const std::size_t x = lower & 1 ? 0 : 1, y = lower & 2 ? 2 : 3, z = lower & 4 ? 4 : 5;
     Stencil s;
-    s.cell[0] = static_cast<std::uint32_t>(index(x.cell, y.cell, z.cell));
-    s.cell[1] = links_[s.cell[0]][static_cast<std::size_t>(x.direction)];
-    for (std::size_t m = 0; m < 2; ++m) s.cell[2 + m] = links_[s.cell[m]][2 + static_cast<std::size_t>(y.direction)];
-    for (std::size_t m = 0; m < 4; ++m) s.cell[4 + m] = links_[s.cell[m]][4 + static_cast<std::size_t>(z.direction)];
-    s.layer_step = 2 * z.direction - 1;
-    for (std::size_t m = 0; m < 8; ++m) {
-      s.weight[m] = (m & 1 ? x.share : 1 - x.share) * (m & 2 ? y.share : 1 - y.share) * (m & 4 ? z.share : 1 - z.share);
-    }
+    s.cell[0] = static_cast<std::uint32_t>(index(at.cell[0], at.cell[1], at.cell[2]));
+    s.cell[1] = links_[s.cell[0]][x];
+    for (std::size_t m = 0; m < 2; ++m) s.cell[2 + m] = links_[s.cell[m]][y];
+    for (std::size_t m = 0; m < 4; ++m) s.cell[4 + m] = links_[s.cell[m]][z];
+    s.layer_step = lower & 4 ? -1 : 1;
+    const pack::V4 share = at.from_centre < 0 ? -at.from_centre : at.from_centre;   // [-], the neighbours', 0 ... 1/2
+    const pack::V4 rest = pack::all(1) - share;
+    const pack::V4 in_layer = __builtin_shufflevector(rest, share, 0, 4, 0, 4) * __builtin_shufflevector(rest, share, 1, 1, 5, 5);
+    pack::store(s.weight.data(), in_layer * pack::all(rest[2]));
+    pack::store(s.weight.data() + 4, in_layer * pack::all(share[2]));
     return s;
   }
 
  private:
-  /// Along one axis: the cell, which neighbour the tent reaches (0 lower, 1 upper), and that neighbour's share.
+  using Cells4 = std::int32_t __attribute__((vector_size(16)));
+
+  /// Three axes at once; the fourth number means nothing.
   struct Place {
-    int cell, direction;
-    double share;   // [-], 0 ... 1/2
+    Cells4 cell;
+    pack::V4 from_centre;   // [-], -1/2 ... 1/2
   };
 
-  Place place(double coordinate, std::size_t axis) const {
-    const double s = (coordinate - origin_[axis]) / spacing_[axis];
-    const double lower = std::floor(s);
-    int cell = static_cast<int>(lower);
-    double from_centre = s - lower - 0.5;   // [-], -1/2 ... 1/2
-    if (cell < 0 || cell >= cells_[axis]) {
-      if (periodic_[axis]) {
-        cell = (cell % cells_[axis] + cells_[axis]) % cells_[axis];
-      } else {
-        from_centre = cell < 0 ? -0.5 : 0.5;
-        cell = cell < 0 ? 0 : cells_[axis] - 1;
-      }
-    }
-    return {cell, from_centre < 0 ? 0 : 1, std::abs(from_centre)};
+  Place place(const Row& position) const {
+    const pack::V4 s = (pack::load(position) - pack::load(origin_)) / pack::load(width_);
+    const pack::V4 lower = pack::floor(s);
+    Place at{__builtin_convertvector(lower, Cells4), s - lower - 0.5};
+    constexpr unsigned three_axes = 7;
+    if ((~pack::bits((lower >= 0) & (lower < pack::load(extent_))) & three_axes) != 0) [[unlikely]] bring_inside(at);
+    return at;
   }
+
+  void bring_inside(Place& at) const;
 
   std::size_t index(int i, int j, int k) const {
     return static_cast<std::size_t>(i) +
@@ -90,7 +91,8 @@ class CellMap {
 
   std::array<int, 3> cells_{};
   std::array<bool, 3> periodic_{};
-  std::array<double, 3> spacing_{}, origin_{};
+  std::array<double, 3> spacing_{};   // [m]
+  Row origin_, width_, extent_;       // [m], [m] and in cells, by axis
   std::size_t layer_size_ = 0;
   Column<std::array<std::uint32_t, 6>> links_;
 };

@@ -7,6 +7,7 @@
 #include "coupling/deposit.h"
 #include "coupling/exchange_coefficient.h"
 #include "coupling/smoothing.h"
+#include "fluid/staggered.h"
 
 namespace similitude {
 
@@ -24,7 +25,9 @@ std::ptrdiff_t signed_size(std::size_t n) { return static_cast<std::ptrdiff_t>(n
 /// Sums of rows in blocks of fixed size: the same bits for any number of threads.
 class BlockSum {
  public:
-  std::array<double, 3> operator()(const Column<Row>& rows) {
+  /// visit(n) for all n < count; returns the sum of rows[n], each as visit(n) left it.
+  template <class Visit>
+  std::array<double, 3> after(const Column<Row>& rows, Visit&& visit) {
     constexpr std::size_t k_block = 1024;
     const std::size_t blocks = (rows.size() + k_block - 1) / k_block;
     partial_.resize(blocks);
@@ -33,6 +36,7 @@ class BlockSum {
       const auto block = static_cast<std::size_t>(b);
       Row sum;
       for (std::size_t p = block * k_block; p < std::min(rows.size(), (block + 1) * k_block); ++p) {
+        visit(p);
         sum.x += rows[p].x;
         sum.y += rows[p].y;
         sum.z += rows[p].z;
@@ -47,6 +51,9 @@ class BlockSum {
     }
     return total;
   }
+  std::array<double, 3> operator()(const Column<Row>& rows) {
+    return after(rows, [](std::size_t) {});
+  }
 
  private:
   std::vector<Row> partial_;
@@ -55,7 +62,7 @@ class BlockSum {
 /// Three columns of a cell field as the first three of each row; the fourth becomes zero.
 void read_columns(const Column<double>& columns, CellRows& rows) {
   const std::size_t cells = rows.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     rows[c] = {columns[c], columns[cells + c], columns[2 * cells + c], 0};
@@ -64,7 +71,7 @@ void read_columns(const Column<double>& columns, CellRows& rows) {
 
 void write_columns(const CellRows& rows, double factor, Column<double>& columns) {
   const std::size_t cells = rows.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
     const auto c = static_cast<std::size_t>(i);
     columns[c] = factor * rows[c].x;
@@ -93,15 +100,28 @@ struct Coupling::Parts {
   ExchangeCoefficient drag;
   CellRows solids;                  // impulse owed [N s] and solids volume [m^3]
   CellRows at_cells;                // gas as particles see it, or K v and K
+  bool gas_is_seen = false;         // at_cells holds the smoothed velocity of the gas as it is now
   CellRows sizes;                   // sum d^3, sum d^2; only if the drag law wants the Sauter diameter
   BlockSum sum;
   std::array<double, 3> pending{};  // [kg m/s]
   std::size_t accounts_opened = 0;
   std::uint64_t accounts_left = 0;
 
+  void see(const GasFields& gas);
+  void owe(const std::array<double, 3>& received_less_charged) {
+    for (std::size_t axis = 0; axis < 3; ++axis) pending[axis] = -received_less_charged[axis];
+  }
   void deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction);
   void deposit_sizes(const ParticleStore& particles);
 };
+
+/// at_cells = the gas velocity, smoothed.
+void Coupling::Parts::see(const GasFields& gas) {
+  if (gas_is_seen) return;
+  read_columns(gas.velocity, at_cells);
+  smoothing.apply(at_cells);
+  gas_is_seen = true;
+}
 
 /// Solids volume and the impulse owed travel together, since both are known before the drag law is asked.
 void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<double>& gas_fraction) {
@@ -116,7 +136,7 @@ void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<doub
       solids);
   smoothing.apply(solids);
   const double cell_volume = map.cell_volume();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (signed_size(solids.size()) >= k_worth_threads)
   for (std::ptrdiff_t i = 0; i < signed_size(solids.size()); ++i) {
     const auto c = static_cast<std::size_t>(i);
     gas_fraction[c] = 1 - solids[c].w / cell_volume;
@@ -166,6 +186,7 @@ Coupling::Coupling(const ModelScene& scene, const Grid& grid, const DragModel& d
 Coupling::~Coupling() = default;
 
 void Coupling::start(const ParticleStore& particles) {
+  parts_->gas_is_seen = false;
   if (parts_->coupled) {
     parts_->deposit_solids(particles, fields_.gas_fraction);
     fields_.gas_fraction_old = fields_.gas_fraction;
@@ -188,10 +209,14 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
     parts.deposit_sizes(particles);
   }
 
-  read_columns(gas.velocity, parts.at_cells);
-  parts.smoothing.apply(parts.at_cells);
+  parts.see(gas);
   // The gas fraction is smooth already, so particles see it through the tent alone.
-  for (std::size_t c = 0; c < cells; ++c) parts.at_cells[c].w = fields_.gas_fraction[c];
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    parts.at_cells[c].w = fields_.gas_fraction[c];
+  }
+  parts.gas_is_seen = false;   // overwritten below, and the gas step to come changes it
   parts.drag.evaluate(particles, parts.at_cells, parts.sizes);
   if (!parts.coupled) return;
 
@@ -206,22 +231,24 @@ void Coupling::deposit(ParticleStore& particles, const GasFields& gas, double dt
   parts.smoothing.apply(parts.at_cells);
   const double per_volume = 1 / parts.map.cell_volume();
   write_columns(parts.at_cells, per_volume, fields_.exchange_velocity);
-  for (std::size_t c = 0; c < cells; ++c) fields_.exchange[c] = per_volume * parts.at_cells[c].w;
+#pragma omp parallel for schedule(static) if (signed_size(cells) >= k_worth_threads)
+  for (std::ptrdiff_t i = 0; i < signed_size(cells); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    fields_.exchange[c] = per_volume * parts.at_cells[c].w;
+  }
 }
 
 void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, double dt) {
   Parts& parts = *parts_;
-  CellRows& velocity = parts.at_cells;
+  parts.gas_is_seen = false;
+  parts.see(gas);
   CellRows& stress = parts.solids;   // free between two deposits
-  read_columns(gas.velocity, velocity);
   read_columns(gas.stress_force, stress);
-  parts.smoothing.apply(velocity);
   parts.smoothing.apply(stress);
+  const CellRows& velocity = parts.at_cells;
   const auto& g = parts.gravity;
 
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < signed_size(particles.size()); ++i) {
-    const auto p = static_cast<std::size_t>(i);
+  const auto received_less_charged = parts.sum.after(particles.drag_impulse, [&](std::size_t p) {
     const Stencil stencil = parts.map.stencil(particles.position[p]);
     const Row u = gather(stencil, velocity);
     const Row force = gather(stencil, stress);
@@ -234,15 +261,14 @@ void Coupling::interpolate(ParticleStore& particles, const GasFields& gas, doubl
                                  displaced * (force.z - parts.gas_density * g[2]), 0};
     const double charge = parts.coupled ? -k * dt : 0;
     particles.drag_impulse[p] = {charge * (u.x - v.x), charge * (u.y - v.y), charge * (u.z - v.z), 0};
-  }
+  });
   parts.accounts_opened = particles.size();
-  settle_accounts(particles);
+  if (parts.coupled) parts.owe(received_less_charged);
 }
 
 void Coupling::settle_accounts(const ParticleStore& particles) {
   if (!parts_->coupled) return;
-  const std::array<double, 3> received_less_charged = parts_->sum(particles.drag_impulse);
-  for (std::size_t axis = 0; axis < 3; ++axis) parts_->pending[axis] = -received_less_charged[axis];
+  parts_->owe(parts_->sum(particles.drag_impulse));
   parts_->accounts_left += parts_->accounts_opened - particles.size();
   parts_->accounts_opened = particles.size();
 }
@@ -256,6 +282,7 @@ void Coupling::save(CouplingState& state) const {
 
 void Coupling::restore(const CouplingState& state) {
   fields_ = state.fields;
+  parts_->gas_is_seen = false;
   parts_->pending = state.pending;
   parts_->accounts_opened = static_cast<std::size_t>(state.accounts_opened);
   parts_->accounts_left = state.accounts_left;

@@ -71,6 +71,7 @@ class Coupling {
   /// Before the gas step of length dt: solids fraction at both ends, K by the drag law with the gas of the last step, the pair
   /// (sum K, sum K v) and the remainder, all deposited and smoothed alike. Leaves K in particles.gas[].w. The remainder is
   /// what particles.drag_impulse says the gas is still owed (see interpolate), so a bed read from a checkpoint goes on as it was.
+  /// The gas velocity must still be what the last interpolate() was given, if there was one since start() or restore().
   /// A gas fraction out of range is for the caller to judge; throws SimulationError when the drag law fails.
   void deposit(ParticleStore& particles, const GasFields& gas, double dt);
 

@@ -1,11 +1,12 @@
 #include "coupling/deposit.h"
 
+#include <utility>
+
 namespace similitude {
 
 Deposit::Deposit(const CellMap& map) : map_(map) {
   const auto slabs = static_cast<std::size_t>((map.layers() + k_layers_per_slab - 1) / k_layers_per_slab);
   slab_begin_.assign(slabs + 1, 0);
-  next_.assign(slabs, 0);
   sums_.resize(slabs * (k_layers_per_slab + 2) * map.layer_size());
 }
 
@@ -14,22 +15,40 @@ std::size_t Deposit::slab_layers(std::size_t slab) const {
   return std::min<std::size_t>(k_layers_per_slab, static_cast<std::size_t>(map_.layers()) - first);
 }
 
+/// Counting sort: blocks of rows count for themselves, and write where the blocks before them end.
 void Deposit::sort(const Column<Row>& position) {
-  const std::size_t particles = position.size();
+  constexpr std::size_t block_rows = 4096;
+  const std::size_t particles = position.size(), slabs = slab_begin_.size() - 1;
+  const std::size_t blocks = (particles + block_rows - 1) / block_rows;
   slab_of_.resize(particles);
   order_.resize(particles);
+  next_.assign(blocks * slabs, 0);
   const std::size_t cells_per_slab = k_layers_per_slab * map_.layer_size();
-  const auto rows = static_cast<std::ptrdiff_t>(particles);
+  const auto end_of = [&](std::size_t block) { return std::min(particles, (block + 1) * block_rows); };
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t p = 0; p < rows; ++p) {
-    const auto row = static_cast<std::size_t>(p);
-    slab_of_[row] = static_cast<std::uint32_t>(map_.cell_at(position[row]) / cells_per_slab);
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
+    const auto block = static_cast<std::size_t>(b);
+    std::uint32_t* const count = next_.data() + block * slabs;
+    for (std::size_t p = block * block_rows; p < end_of(block); ++p) {
+      slab_of_[p] = static_cast<std::uint32_t>(map_.cell_at(position[p]) / cells_per_slab);
+      ++count[slab_of_[p]];
+    }
   }
-  std::fill(slab_begin_.begin(), slab_begin_.end(), 0u);
-  for (std::size_t p = 0; p < particles; ++p) ++slab_begin_[slab_of_[p] + 1];
-  for (std::size_t s = 1; s < slab_begin_.size(); ++s) slab_begin_[s] += slab_begin_[s - 1];
-  std::copy(slab_begin_.begin(), slab_begin_.end() - 1, next_.begin());
-  for (std::size_t p = 0; p < particles; ++p) order_[next_[slab_of_[p]]++] = static_cast<std::uint32_t>(p);
+  std::uint32_t before = 0;
+  for (std::size_t slab = 0; slab < slabs; ++slab) {
+    slab_begin_[slab] = before;
+    for (std::size_t block = 0; block < blocks; ++block) {
+      const std::uint32_t count = std::exchange(next_[block * slabs + slab], before);
+      before += count;
+    }
+  }
+  slab_begin_[slabs] = before;
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
+    const auto block = static_cast<std::size_t>(b);
+    std::uint32_t* const next = next_.data() + block * slabs;
+    for (std::size_t p = block * block_rows; p < end_of(block); ++p) order_[next[slab_of_[p]]++] = static_cast<std::uint32_t>(p);
+  }
 }
 
 void Deposit::combine(std::size_t slab, CellRows& field) {

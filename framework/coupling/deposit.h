@@ -49,12 +49,12 @@ class Deposit {
       const std::uint32_t p = order_[n];
       const Stencil s = map_.stencil(position[p]);
       const pack::V4 v = pack::load(value(static_cast<std::size_t>(p)));
-      for (std::size_t m = 0; m < 8; ++m) {
-        const std::size_t foot = m & 3;
-        Row* target = sums + (s.cell[foot] - first_cell + layer);
-        if (s.cell[m] != s.cell[foot]) target += s.layer_step * static_cast<std::ptrdiff_t>(layer);
-        pack::store(*target, pack::load(*target) + pack::all(s.weight[m]) * v);
-      }
+      const auto add = [&](Row& target, double weight) { pack::store(target, pack::load(target) + pack::all(weight) * v); };
+      const std::ptrdiff_t step = s.layer_step * static_cast<std::ptrdiff_t>(layer);
+      std::array<Row*, 4> foot;
+      for (std::size_t m = 0; m < 4; ++m) foot[m] = sums + (s.cell[m] - first_cell + layer);
+      for (std::size_t m = 0; m < 4; ++m) add(*foot[m], s.weight[m]);
+      for (std::size_t m = 0; m < 4; ++m) add(*(foot[m] + (s.cell[4 + m] != s.cell[m] ? step : 0)), s.weight[4 + m]);
     }
   }
 
@@ -64,7 +64,7 @@ class Deposit {
   std::vector<std::uint32_t> slab_begin_;   // into order_
   std::vector<std::uint32_t> slab_of_;      // of each particle row
   std::vector<std::uint32_t> order_;        // particle rows, slab by slab
-  std::vector<std::uint32_t> next_;
+  std::vector<std::uint32_t> next_;         // by block of rows, then by slab: where its next row goes
   CellRows sums_;                           // slab by slab, each with its two margin layers
 };
 

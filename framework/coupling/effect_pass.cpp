@@ -8,6 +8,7 @@
 #include <similitude/sphere.h>
 
 #include "coupling/block_failure.h"
+#include "fluid/staggered.h"
 #include "particles/contact_effects.h"
 
 namespace similitude {
@@ -108,7 +109,10 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
 }
 
 void EffectPass::apply(ParticleStore& particles, const Column<double>& gas_fraction, double gas_dt) {
-  for (std::size_t c = 0; c < fraction_.size(); ++c) fraction_[c].w = gas_fraction[c];
+#pragma omp parallel for schedule(static) if (static_cast<Index>(fraction_.size()) >= k_worth_threads)
+  for (std::ptrdiff_t c = 0; c < static_cast<std::ptrdiff_t>(fraction_.size()); ++c) {
+    fraction_[static_cast<std::size_t>(c)].w = gas_fraction[static_cast<std::size_t>(c)];
+  }
   const std::size_t blocks = (particles.size() + k_block_rows - 1) / k_block_rows;
   BlockFailure failure;
 #pragma omp parallel for schedule(static)

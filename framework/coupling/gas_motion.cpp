@@ -41,11 +41,9 @@ void GasMotion::remember(const GasFields& gas) {
 void GasMotion::update(const GasFields& gas, double time, double dt) {
   Parts& parts = *parts_;
   const std::size_t cells = parts.map.cell_count();
-  const auto nx = static_cast<std::size_t>(parts.mesh.cells[0]), ny = static_cast<std::size_t>(parts.mesh.cells[1]);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(cells); ++i) {
-    const auto c = static_cast<std::size_t>(i);
-    const Triple cell{static_cast<Index>(c % nx), static_cast<Index>(c / nx % ny), static_cast<Index>(c / (nx * ny))};
+  const Triple& extent = parts.mesh.cells;
+  const auto update_cell = [&](const Triple& cell) {
+    const auto c = static_cast<std::size_t>(parts.mesh.cell(cell));
     const VelocityGradient gradient = velocity_gradient(parts.mesh, gas.velocity.data(), cell, time);
     if (parts.turns) {
       const std::array<double, 3> curl = similitude::vorticity(gradient);
@@ -58,6 +56,12 @@ void GasMotion::update(const GasFields& gas, double time, double dt) {
         for (std::size_t b = 0; b < 3; ++b) change[a] += gas.velocity[b * cells + c] * gradient[a][b];
       }
       parts.acceleration[c] = {change[0], change[1], change[2], 0};
+    }
+  };
+#pragma omp parallel for collapse(2) schedule(static)
+  for (Index k = 0; k < extent[2]; ++k) {
+    for (Index j = 0; j < extent[1]; ++j) {
+      for (Index i = 0; i < extent[0]; ++i) update_cell({i, j, k});
     }
   }
   if (parts.turns) parts.smoothing.apply(parts.vorticity);

@@ -3,6 +3,8 @@
 /// the sum over cells stays what it was, to rounding.
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include "coupling/cell_map.h"
 
@@ -24,7 +26,15 @@ class Smoothing {
   void apply(CellRows& field);
 
  private:
+  /// Cells in a row whose neighbours lie equally far from them.
+  struct Run {
+    std::ptrdiff_t begin, end;                  // [doubles], four a cell
+    std::array<std::ptrdiff_t, 6> neighbour;    // [doubles], from a cell to those at -x, +x, … +z; 0 where a face is closed
+  };
+  void find_runs();
+
   const CellMap& map_;
+  std::vector<Run> runs_;
   std::array<double, 3> variance_{};   // [m^2]
   std::array<double, 3> share_{};      // [-], of a cell that passes one face in one step
   int steps_ = 0;

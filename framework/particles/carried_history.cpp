@@ -46,7 +46,7 @@ void CarriedHistory::collect(const ContactLists& lists, const std::vector<std::u
   for (std::size_t row = 0; row < new_rows; ++row) first_[row + 1] += first_[row];
   const std::size_t contacts = first_[new_rows];
   if (partner_.size() < contacts) {
-    partner_.resize(contacts + contacts / 2);
+    partner_.resize(contacts + contacts / 8);
     history_.resize(partner_.size() * rows_);
   }
   each_touching([&](std::uint32_t k, const Moved& now) {

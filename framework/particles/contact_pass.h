@@ -65,6 +65,7 @@ class ContactPass {
     reach_ = reach;
   }
   void make_room();                                  // for the slots of the present lists
+  std::size_t bytes() const { return (share_force_.capacity() + share_torque_.capacity()) * sizeof(Row); }
 
   /// Zeroes the rows' force and torque, then adds what contacts owned by this brick do inside it; shares of partners in
   /// other bricks go to slots. Returns the number of touching contacts. [worker]

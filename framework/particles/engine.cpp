@@ -219,7 +219,7 @@ void Engine::Parts::rebuild() {
   new_row.resize(particles.size());
   std::fill(new_row.begin(), new_row.end(), CarriedHistory::k_gone);
   for (std::uint32_t row = 0; row < order.size(); ++row) new_row[order[row]] = row;
-  particles.reorder(order);
+  particles.reorder(order, reference);   // written anew below
   carried.collect(lists, new_row, order.size());
   build_lists(order.size());
   travel = 0;
@@ -567,7 +567,7 @@ std::vector<std::string> Engine::passes() const {
 }
 
 std::size_t Engine::list_bytes() const {
-  return parts_->lists.bytes() + parts_->bricks.bytes() + parts_->reference.capacity() * sizeof(Row);
+  return parts_->lists.bytes() + parts_->contacts.bytes() + parts_->bricks.bytes() + parts_->reference.capacity() * sizeof(Row);
 }
 std::size_t Engine::history_bytes() const { return parts_->lists.history_bytes() + parts_->carried.bytes(); }
 

@@ -99,7 +99,7 @@ class Engine {
   std::vector<StageTime> stage_times() const;
   /// The passes of a sub-step in order, for the printed pipeline.
   std::vector<std::string> passes() const;
-  /// Bytes of lists and history, as allocated.
+  /// Bytes of lists, with the forces that pass between bricks, and of history, as allocated.
   std::size_t list_bytes() const;
   std::size_t history_bytes() const;
 

@@ -31,6 +31,13 @@ inline V4 square_root(V4 a) {
   return V4{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 #endif
 }
+inline V4 floor(V4 a) {
+#if defined(__AVX__)
+  return _mm256_floor_pd(a);
+#else
+  return V4{std::floor(a[0]), std::floor(a[1]), std::floor(a[2]), std::floor(a[3])};
+#endif
+}
 inline V4 smaller(V4 a, V4 b) { return a < b ? a : b; }
 inline V4 larger(V4 a, V4 b) { return a > b ? a : b; }
 

@@ -3,6 +3,8 @@
 #include <sys/mman.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <new>
 
 namespace similitude {
@@ -16,12 +18,22 @@ std::align_val_t alignment_of(std::size_t bytes) {
   return std::align_val_t{bytes < k_worth_large_pages ? k_cache_line : k_large_page};
 }
 
-template <class T>
-void reorder_column(std::vector<T, CacheAligned<T>>& column, const std::vector<std::uint32_t>& order,
-                    std::vector<T, CacheAligned<T>>& spare) {
+/// The sorted copy is made in `spare` and swapped in.
+void reorder_rows(Column<Row>& column, const std::vector<std::uint32_t>& order, Column<Row>& spare) {
   spare.resize(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) spare[k] = column[order[k]];
   column.swap(spare);
+}
+
+/// Narrower columns go through the same room and back.
+template <class T>
+void reorder_column(Column<T>& column, const std::vector<std::uint32_t>& order, Column<Row>& spare) {
+  static_assert(sizeof(T) <= sizeof(Row));
+  spare.resize(order.size());
+  void* const room = spare.data();
+  for (std::size_t k = 0; k < order.size(); ++k) std::memcpy(static_cast<std::byte*>(room) + k * sizeof(T), &column[order[k]], sizeof(T));
+  column.resize(order.size());
+  if (!order.empty()) std::memcpy(column.data(), room, order.size() * sizeof(T));
 }
 
 template <class T>
@@ -45,7 +57,6 @@ void ParticleStore::reserve(std::size_t n) {
   position.reserve(n);
   velocity.reserve(n);
   force.reserve(n);
-  spare_rows_.reserve(n);
   if (fields.rotation) {
     angular_velocity.reserve(n);
     torque.reserve(n);
@@ -55,16 +66,10 @@ void ParticleStore::reserve(std::size_t n) {
     stress_force.reserve(n);
     drag_impulse.reserve(n);
   }
-  if (fields.added_mass) {
-    added_mass.reserve(n);
-    spare_numbers_.reserve(n);
-  }
+  if (fields.added_mass) added_mass.reserve(n);
   for (NamedColumn& scalar : scalars) scalar.value.reserve(n);
-  if (!scalars.empty()) spare_numbers_.reserve(n);
   id.reserve(n);
-  spare_ids_.reserve(n);
   species.reserve(n);
-  spare_species_.reserve(n);
 }
 
 std::size_t ParticleStore::add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z,
@@ -88,18 +93,23 @@ std::size_t ParticleStore::add(std::uint64_t new_id, std::uint32_t new_species, 
   return position.size() - 1;
 }
 
-void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
-  for (Column<Row>* column : {&position, &velocity, &force}) reorder_column(*column, order, spare_rows_);
+void ParticleStore::reorder(const std::vector<std::uint32_t>& order, Column<Row>& spare) {
+  for (Column<Row>* column : {&position, &velocity, &force}) reorder_rows(*column, order, spare);
   if (fields.rotation) {
-    for (Column<Row>* column : {&angular_velocity, &torque}) reorder_column(*column, order, spare_rows_);
+    for (Column<Row>* column : {&angular_velocity, &torque}) reorder_rows(*column, order, spare);
   }
   if (fields.coupling) {
-    for (Column<Row>* column : {&gas, &stress_force, &drag_impulse}) reorder_column(*column, order, spare_rows_);
+    for (Column<Row>* column : {&gas, &stress_force, &drag_impulse}) reorder_rows(*column, order, spare);
   }
-  if (fields.added_mass) reorder_column(added_mass, order, spare_numbers_);
-  for (NamedColumn& scalar : scalars) reorder_column(scalar.value, order, spare_numbers_);
-  reorder_column(id, order, spare_ids_);
-  reorder_column(species, order, spare_species_);
+  if (fields.added_mass) reorder_column(added_mass, order, spare);
+  for (NamedColumn& scalar : scalars) reorder_column(scalar.value, order, spare);
+  reorder_column(id, order, spare);
+  reorder_column(species, order, spare);
+}
+
+void ParticleStore::reorder(const std::vector<std::uint32_t>& order) {
+  Column<Row> spare;
+  reorder(order, spare);
 }
 
 void ParticleStore::copy_rows(const ParticleStore& other) {
@@ -126,9 +136,7 @@ void ParticleStore::copy_rows(const ParticleStore& other) {
 
 std::size_t ParticleStore::bytes_per_particle() const {
   const std::size_t rows = size();
-  std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(spare_ids_, rows) + bytes_per_row(species, rows) +
-                      bytes_per_row(spare_species_, rows) + bytes_per_row(spare_rows_, rows) +
-                      bytes_per_row(added_mass, rows) + bytes_per_row(spare_numbers_, rows);
+  std::size_t bytes = bytes_per_row(id, rows) + bytes_per_row(species, rows) + bytes_per_row(added_mass, rows);
   for (const NamedColumn& scalar : scalars) bytes += bytes_per_row(scalar.value, rows);
   for (const Column<Row>* column : {&position, &velocity, &force, &angular_velocity, &torque, &gas, &stress_force,
                                     &drag_impulse}) {

@@ -70,19 +70,14 @@ struct ParticleStore {
   void reserve(std::size_t n);
   /// Adds a particle at rest; the row is valid until the next sort. `drag` rows and scalars start at zero.
   std::size_t add(std::uint64_t new_id, std::uint32_t new_species, double x, double y, double z, double radius, double mass);
-  /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed).
+  /// Row k of the result is row order[k] of before; order.size() may be smaller (rows left out are removed). `spare` is working
+  /// memory: what it held is lost, and its room may come from a column. A sort allocates only while the bed grows.
+  void reorder(const std::vector<std::uint32_t>& order, Column<Row>& spare);
   void reorder(const std::vector<std::uint32_t>& order);
   /// All rows of `other`, without its working memory. Added mass, if this store has it, becomes zero.
   void copy_rows(const ParticleStore& other);
   /// Bytes of one particle's rows, as allocated.
   std::size_t bytes_per_particle() const;
-
- private:
-  // The sorted copy of a column is made here and swapped in, so that a sort allocates only while the bed grows.
-  Column<Row> spare_rows_;
-  Column<double> spare_numbers_;
-  Column<std::uint64_t> spare_ids_;
-  Column<std::uint32_t> spare_species_;
 };
 
 }  // namespace similitude

@@ -88,6 +88,7 @@ RunManifest read_manifest(const fs::path& folder) {
     manifest.machine.cores = page.at("machine").at("cores").get<int>();
     manifest.machine.kernel = page.at("machine").at("kernel").get<std::string>();
     manifest.threads = page.at("threads").get<int>();
+    manifest.at_one_go = page.at("resumed").empty();
     return manifest;
   });
 }

@@ -29,6 +29,7 @@ struct RunManifest {
   std::string case_text;  // JSON: the case as resolved
   Machine machine;
   int threads = 0;
+  bool at_one_go = true;  // not in parts, which may be of several machines
   bool done() const { return status == "done"; }
 };
 

@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "output/number.h"
 #include "output/whole_file.h"
 #include "scene/case_file.h"
 #include "scene/messages.h"
@@ -16,69 +13,21 @@
 #include "stepper/prediction.h"
 #include "stepper/stop_signal.h"
 #include "study/child_run.h"
+#include "study/leg.h"
 #include "study/observed_order.h"
 
 namespace similitude {
 namespace {
 
 namespace fs = std::filesystem;
-using json = nlohmann::json;
 
 constexpr int k_exit_of_signal = 128;  // shells' convention
 constexpr int k_wrong_input = 2;       // exit status of `similitude run`
-constexpr const char* k_cost_file = "cost.json";
 constexpr const char* k_log_file = "run.log";
-constexpr const char* k_leg_folder = "reference_leg";
-constexpr const char* k_leg_case = "reference_case.json";
+constexpr const char* k_leg_folder = "leg";  // in the folder of a case
+constexpr const char* k_reference_leg_folder = "reference_leg";
 
 // --------------------------------------------------------------------------------------------------------- running
-
-/// What no file of a run says: how often it was timed, and its memory.
-struct Cost {
-  std::vector<double> repeats;  // [s]
-  double peak_memory_bytes = Estimate::k_unknown;
-  Prediction predicted;
-};
-
-json as_json(const Prediction& predicted) {
-  if (!predicted.known()) return {{"gap", predicted.gap}};
-  json page{{"wall_s", predicted.wall_s}, {"particle_steps", predicted.particle_steps}, {"stages", json::array()}};
-  for (const RunTiming::Stage& stage : predicted.stages) page["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
-  return page;
-}
-
-Prediction as_prediction(const json& page) {
-  Prediction predicted;
-  if (page.contains("gap")) {
-    predicted.gap = page["gap"].get<std::string>();
-  } else if (page.contains("wall_s")) {
-    predicted.gap = "";
-    predicted.wall_s = page["wall_s"].get<double>();
-    predicted.particle_steps = page["particle_steps"].get<double>();
-    for (const json& stage : page["stages"]) predicted.stages.push_back({stage["name"].get<std::string>(), stage["seconds"].get<double>()});
-  }
-  return predicted;
-}
-
-void write_cost(const fs::path& folder, const Cost& cost) {
-  write_whole_file(folder / k_cost_file,
-                   json{{"wall_s", cost.repeats},
-                        {"peak_memory_bytes", cost.peak_memory_bytes},
-                        {"predicted", as_json(cost.predicted)}}
-                           .dump(2) + "\n");
-}
-
-Cost read_cost(const fs::path& folder) {
-  std::ifstream stream(folder / k_cost_file);
-  const json page = json::parse(stream, nullptr, false);
-  Cost cost;
-  if (page.is_discarded()) return cost;  // killed between the run's end and this file
-  cost.repeats = page.value("wall_s", std::vector<double>{});
-  if (page.contains("peak_memory_bytes") && page["peak_memory_bytes"].is_number())
-    cost.peak_memory_bytes = page["peak_memory_bytes"].get<double>();
-  if (page.contains("predicted")) cost.predicted = as_prediction(page["predicted"]);
-  return cost;
-}
 
 bool finished(const fs::path& folder, const std::string& resolved) {
   if (!has_manifest(folder)) return false;
@@ -161,15 +110,23 @@ Prediction predict(const StudyPlan& plan, const PlannedCase& planned, const Cata
   return predicted;
 }
 
+/// What was run elsewhere, or in parts on several machines, says nothing of this one's speed.
+std::string time_here(const StudyPlan& plan, const fs::path& run, const fs::path& leg) {
+  if (!(plan.study.leg > 0)) return "its time on this machine is not known (leg: 10 ms would time it)";
+  return "a short leg of it here: " + run_leg(run, leg, plan.study.leg, plan.study.threads);
+}
+
 /// A line that says how it ended.
 std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue, const fs::path& folder) {
-  if (finished(folder, planned.resolved)) return "was done before";
+  if (finished(folder, planned.resolved))
+    return timed_here(folder) ? "was done before" : "was done elsewhere; " + time_here(plan, folder, folder / k_leg_folder);
   make_folder(folder);
   const Prediction predicted = predict(plan, planned, catalogue);
   if (StopSignal::received() != 0) return "interrupted";
   std::error_code ignored;
-  fs::remove(folder / k_cost_file, ignored);
+  remove_cost(folder);
   const bool resumed = can_be_resumed(folder, planned.resolved);
+  const bool begun_here = !resumed || made_here(read_manifest(folder));
   std::vector<std::string> arguments = arguments_of(plan, planned, folder);
   arguments.push_back(resumed ? "--resume" : "--force");
   if (!resumed) fs::remove(folder / k_log_file, ignored);
@@ -187,35 +144,10 @@ std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Cat
   Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes, .predicted = predicted};
   repeat_if_short(plan, planned, folder, cost);
   if (StopSignal::received() != 0) return "interrupted";
+  if (!begun_here) return "was begun elsewhere; " + time_here(plan, folder, folder / k_leg_folder);
   write_cost(folder, cost);
   return fmt::format("{:.3g} s{}, {} particles, {}", cost.repeats.front(), resumed ? " since it was resumed" : "",
                      read_manifest(folder).particles, memory_text(cost.peak_memory_bytes));
-}
-
-std::string seconds_as_typed(double seconds) { return round_trip(seconds) + " s"; }
-
-/// The stored run's own case, for a moment: its speed on this machine.
-std::string run_leg(const StudyPlan& plan, const fs::path& folder) {
-  const fs::path leg = folder / k_leg_folder;
-  if (finished(leg, plan.stored->case_text)) return "was done before";
-  make_folder(leg);
-  write_whole_file(folder / k_leg_case, plan.stored->case_text + "\n");
-  std::vector<std::string> arguments{"run",
-                                     (folder / k_leg_case).string(),
-                                     "-o",
-                                     leg.string(),
-                                     "--force",
-                                     "--until",
-                                     seconds_as_typed(plan.study.reference.leg)};
-  if (plan.study.threads > 0) {
-    arguments.push_back("--threads");
-    arguments.push_back(std::to_string(plan.study.threads));
-  }
-  const ChildOutcome outcome = run_child(arguments, leg / k_log_file);
-  if (outcome.exit_status != 0)
-    return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
-  write_cost(leg, {.repeats = {read_timing(leg).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes, .predicted = {}});
-  return fmt::format("{:.3g} s for {:.3g} s of the bed's time", read_timing(leg).wall_s, read_timing(leg).simulated_s);
 }
 
 // --------------------------------------------------------------------------------------------------------- judging
@@ -226,8 +158,21 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
+/// Of a whole run at the speed of a short one.
+void take_leg(StudyCase& one, const Leg& leg) {
+  one.timing = leg.whole_run;
+  one.extrapolated_from = leg.simulated_s;
+  one.wall_s = leg.whole_run.wall_s;
+  one.repeats = {one.wall_s};
+  one.peak_memory_bytes = leg.peak_memory_bytes;
+}
+
 void read_cost_into(StudyCase& one, const fs::path& folder) {
   one.timing = read_timing(folder);
+  if (!timed_here(folder)) {
+    if (const auto leg = read_leg(folder, folder / k_leg_folder)) take_leg(one, *leg);
+    return;
+  }
   const Cost cost = read_cost(folder);
   one.repeats = cost.repeats.empty() ? std::vector<double>{one.timing.wall_s} : cost.repeats;
   one.wall_s = median(one.repeats);
@@ -263,27 +208,20 @@ StudyCase read_case_of(const PlannedCase& planned, const fs::path& folder) {
 }
 
 /// The stored run among the cases: its error is nought, its time what this machine needs for it, where that is known.
-StudyCase stored_reference(const StudyPlan& plan, const fs::path& folder, const Machine& machine) {
+StudyCase stored_reference(const StudyPlan& plan, const fs::path& folder) {
+  const fs::path run = plan.study.reference.path;
   StudyCase one;
   one.name = plan.reference_name();
   one.reference = one.done = true;
   one.status = "done";
   one.particles = plan.stored->particles;
-  one.timing = *plan.stored_timing;
+  one.timing = read_timing(run);
   one.state_hash = plan.stored->state_hash;
   if (plan.outside) one.profiles = plan.outside->profiles;
-  const fs::path leg = folder / k_leg_folder;
-  if (plan.study.reference.leg > 0 && finished(leg, plan.stored->case_text)) {
-    const RunTiming timed = read_timing(leg);
-    one.extrapolated_from = timed.simulated_s;
-    one.wall_s = timed.wall_s * plan.stored_timing->simulated_s / timed.simulated_s;
-    one.repeats = {one.wall_s};
-    one.peak_memory_bytes = read_cost(leg).peak_memory_bytes;
-    one.timing.stages = timed.stages;
-    for (RunTiming::Stage& stage : one.timing.stages) stage.seconds *= one.wall_s / timed.wall_s;
-    one.timing.particle_steps_per_s = timed.particle_steps_per_s;
-  } else if (plan.stored->machine.processor == machine.processor && plan.stored->machine.cores == machine.cores) {
-    one.wall_s = plan.stored_timing->wall_s;
+  if (const auto leg = read_leg(run, folder / k_reference_leg_folder)) {
+    take_leg(one, *leg);
+  } else if (timed_here(run)) {
+    one.wall_s = one.timing.wall_s;
     one.repeats = {one.wall_s};
   }
   return one;
@@ -357,18 +295,6 @@ void find_orders(const StudyPlan& plan, StudyResult& result) {
 
 }  // namespace
 
-std::string farthest_off(const Prediction& predicted, const RunTiming& measured) {
-  std::string words;
-  double farthest = 0;  // [s]
-  for (const RunTiming::Stage& stage : measured.stages)
-    for (const RunTiming::Stage& foretold : predicted.stages)
-      if (foretold.name == stage.name && std::abs(foretold.seconds - stage.seconds) > farthest) {
-        farthest = std::abs(foretold.seconds - stage.seconds);
-        words = fmt::format("{} {:.2g} s, measured {:.2g} s", stage.name, foretold.seconds, stage.seconds);
-      }
-  return words;
-}
-
 bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
   if (fs::exists(folder / "study.json")) return true;
   return std::any_of(plan.cases.begin(), plan.cases.end(),
@@ -378,7 +304,8 @@ bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
 int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const fs::path& folder, const std::function<void(const std::string&)>& say) {
   make_folder(folder);
   const StopSignal stop_signal;
-  if (plan.stored && plan.study.reference.leg > 0) say("reference, a short leg: " + run_leg(plan, folder));
+  if (plan.stored && plan.study.leg > 0)
+    say("reference, " + time_here(plan, plan.study.reference.path, folder / k_reference_leg_folder));
   for (std::size_t k = 0; k < plan.cases.size() && StopSignal::received() == 0; ++k) {
     const PlannedCase& planned = plan.cases[k];
     say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name,
@@ -408,7 +335,7 @@ StudyResult evaluate(const StudyPlan& plan, const fs::path& folder) {
       result.cases[k].results.push_back(measure(*metric, seen[k], reference));
   }
   if (plan.stored) {
-    result.cases.push_back(stored_reference(plan, folder, result.machine));
+    result.cases.push_back(stored_reference(plan, folder));
     for (const Metric* metric : plan.study.metrics)
       result.cases.back().results.push_back(measure(*metric, *plan.outside, reference));
   }

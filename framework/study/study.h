@@ -6,22 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "study/cost.h"
 #include "study/frontier.h"
 #include "study/study_plan.h"
 
 namespace similitude {
-
-/// What a calibration before the run said it would cost.
-struct Prediction {
-  double wall_s = Estimate::k_unknown, particle_steps = Estimate::k_unknown;
-  std::vector<RunTiming::Stage> stages;  // of the whole run; shares are not set
-  std::string gap = "not predicted";     // why there is none
-  bool known() const { return gap.empty(); }
-};
-
-/// The stage whose time was foretold worst, by seconds, with both times: "fluid: vans 3 s, measured 5 s"; "" if nothing
-/// was foretold.
-std::string farthest_off(const Prediction& predicted, const RunTiming& measured);
 
 struct StudyCase {
   std::string name;

@@ -54,6 +54,11 @@ KeyTable study_keys() {
               .sign = Sign::not_negative,
               .default_text = "10 s",
               .doc = "wall time below which a run is repeated"},
+      CaseKey{.name = "leg",
+              .form = Form::quantity,
+              .unit = "s",
+              .sign = Sign::positive,
+              .doc = "runs made elsewhere, the stored reference among them, go on for so long to know their speed on this machine"},
       CaseKey{.name = "threads",
               .form = Form::integer,
               .sign = Sign::positive,
@@ -76,11 +81,6 @@ KeyTable study_run_reference_keys() {
               .form = Form::text,
               .required = true,
               .doc = "folder of a finished run, from the study's folder"},
-      CaseKey{.name = "leg",
-              .form = Form::quantity,
-              .unit = "s",
-              .sign = Sign::positive,
-              .doc = "run its case again for so long, to know its speed on this machine"},
   };
   return keys;
 }
@@ -209,7 +209,6 @@ StudyReference read_reference(const DocumentNode& node, const std::filesystem::p
   reference.kind = data ? ReferenceKind::measured_data : ReferenceKind::stored_run;
   reference.path_as_written = section.text(data ? "data" : "run");
   reference.path = (folder / reference.path_as_written).lexically_normal();
-  if (!data && section.given("leg")) reference.leg = section.quantity("leg");
   return reference;
 }
 
@@ -295,6 +294,7 @@ StudyFile read_study(const std::filesystem::path& file) {
   }
   study.repeats = static_cast<int>(std::min<std::int64_t>(root.integer("repeats"), 100));
   study.short_run = root.quantity("short");
+  if (root.given("leg")) study.leg = root.quantity("leg");
   if (root.given("threads")) study.threads = static_cast<int>(root.integer("threads"));
   return study;
 }

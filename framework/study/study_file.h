@@ -40,7 +40,6 @@ struct StudyReference {
   std::string name;            // of the case
   std::filesystem::path path;  // of the run's folder or the data's file, absolute
   std::string path_as_written;
-  double leg = 0;  // [s] of the real bed: the stored run's case is run so long to time it here; 0: not
   SourceMark mark;
 };
 
@@ -59,6 +58,7 @@ struct StudyFile {
   std::string from_text;
   int repeats = 1;
   double short_run = 0;  // [s] of wall time: shorter runs are repeated
+  double leg = 0;        // [s] of the real bed: runs made elsewhere go on so long to be timed here; 0: not
   int threads = 0;       // 0: all cores
 };
 

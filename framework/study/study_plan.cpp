@@ -187,7 +187,6 @@ void read_stored_run(StudyPlan& plan, const std::vector<double>& heights) {
                      "the run in " + reference.path_as_written + " did not finish: it is " + plan.stored->status +
                          (plan.stored->exit_reason.empty() ? "" : " (" + plan.stored->exit_reason + ")") + ".",
                      "Run it to its end, or take another reference.");
-  plan.stored_timing = read_timing(reference.path);
   const double from = plan.cases.front().from;
   plan.outside = read_observations(reference.path, from);
   if (const double stored_from = profiles_from(plan.stored->case_text);

@@ -27,7 +27,6 @@ struct StudyPlan {
   std::optional<std::size_t> reference_case;  // of `cases`
   std::optional<Observations> outside;        // a stored run's or measured data
   std::optional<RunManifest> stored;          // of the stored run
-  std::optional<RunTiming> stored_timing;
   std::optional<double> smoothing;  // [m] of the real bed, common to all; empty: each case its own
   std::vector<std::string> warnings;
 

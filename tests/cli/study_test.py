@@ -171,7 +171,7 @@ class Study(CommandTest):
 
     def test_a_stored_run_is_a_reference_and_its_leg_times_it(self):
         self.assertEqual(self.command("run", "case.yaml", "-o", "stored", "--set", "output.profiles.from=5 ms").returncode, 0)
-        study = STUDY.replace("reference: gidaspow", "reference: {run: stored, leg: 4 ms}")
+        study = STUDY.replace("reference: gidaspow", "reference: {run: stored}\nleg: 4 ms")
         done = self.study(study)
         self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
         page = self.page()
@@ -183,6 +183,30 @@ class Study(CommandTest):
         # The same case as the study's first, so the same bits.
         self.assertEqual(page["cases"][0]["state_hash"], stored["state_hash"])
         self.assertEqual(page["cases"][0]["error"]["gas_fraction_profile"]["value"], 0)
+
+    def test_a_run_made_elsewhere_is_taken_as_it_is_and_timed_here(self):
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        whole = without_times(self.page())
+        manifest = self.path("out/di_felice/manifest.json")
+        with open(manifest, encoding="utf-8") as file:
+            page = json.load(file)
+        page["machine"]["processor"] = "Another"
+        with open(manifest, "w", encoding="utf-8") as file:
+            json.dump(page, file)
+        os.remove(self.path("out/di_felice/cost.json"))
+        done = self.study(STUDY, "--resume")
+        self.assertIn("2/2 di_felice: was done elsewhere; its time on this machine is not known (leg: 10 ms would time it)\n", done.stdout)
+        self.assertIsNone(self.page()["cases"][1]["wall_s"])
+        self.assertEqual(without_times(self.page())["cases"][0], whole["cases"][0])
+
+        done = self.study(STUDY + "leg: 4 ms\n", "--resume")
+        self.assertRegex(done.stdout, r"2/2 di_felice: was done elsewhere; a short leg of it here: [0-9.e-]+ s for 0.004[0-9]* s of the bed's time after its end\n")
+        there = self.page()["cases"][1]
+        self.assertAlmostEqual(there["extrapolated_from_s"], 4e-3, delta=0.5e-3)   # whole gas steps
+        self.assertAlmostEqual(there["wall_s"], sum(stage["seconds"] for stage in there["stages"]), delta=0.1 * there["wall_s"])
+        self.assertEqual(there["metrics"], whole["cases"][1]["metrics"])
+        again = self.study(STUDY + "leg: 4 ms\n", "--resume")
+        self.assertIn("2/2 di_felice: was done elsewhere; a short leg of it here: was timed before\n", again.stdout)
 
     def test_orders_are_observed_along_steps_and_cells(self):
         study = STUDY.replace("{models.drag: [gidaspow, di_felice]}", "{models.drag: [gidaspow, di_felice], time.dt: [8 us, 4 us, 2 us]}")

@@ -147,6 +147,7 @@ bool put_into_state(ParticleStore& bed, const std::string& state) {
 ParticleStore read_bed(const std::string& file) {
   const std::vector<FileParticle> particles = read_particle_file(file);
   ParticleStore bed = empty_bed();
+  bed.reserve(particles.size());
   for (std::size_t n = 0; n < particles.size(); ++n) {
     const auto& [x, v] = std::pair{particles[n].position, particles[n].velocity};
     const std::size_t row = bed.add(n, 0, x[0], x[1], x[2], 0.5 * k_diameter, k_mass);

@@ -65,7 +65,8 @@ struct SyamlalOBrien {
   template <class V>
   V velocity_ratio(const V& reynolds, const V& gas_fraction) const {
     const V a = pow(gas_fraction, V(4.14));
-    const V b = select(gas_fraction <= k_joint, c1 * pow(gas_fraction, V(k_dense_power)), pow(gas_fraction, V(d1)));
+    const auto dense = gas_fraction <= k_joint;
+    const V b = select(dense, V(c1), V(1)) * pow(gas_fraction, select(dense, V(k_dense_power), V(d1)));   // a power costs most
     const V slope = 0.06 * reynolds;
     return 0.5 * (a - slope + sqrt(slope * slope + 2.0 * slope * (2.0 * b - a) + a * a));
   }

@@ -8,13 +8,12 @@ namespace similitude::vans {
 
 enum class Advection { tvd, upwind };
 
-/// transported[site] [m^2/s^2]: mean flux times the velocity it carries, for sites of one direction.
-/// `flux` [m/s] is eps u on the faces of that direction.
-void carry(const Component& component, std::size_t direction, Advection scheme, const std::vector<double>& velocity,
-           const std::vector<double>& flux, std::vector<double>& transported);
+/// Whether what is gained comes on top of what there was.
+enum class Gain { first, more };
 
-/// gain[active face] [m/s^2] += -d(transported)/d(direction). At a pressure patch half a box gains along the axis.
-void collect(const Component& component, std::size_t direction, double spacing, const std::vector<double>& transported,
-             std::vector<double>& gain);
+/// gain[active face] [m/s^2] = or += -div(F u) of one component. `flux` [m/s] is eps u on the faces of each direction; `sites`
+/// is room for [m^2/s^2] on its sites. At a pressure patch half a box gains along the axis.
+void transport(const Component& component, Advection scheme, const std::array<double, 3>& spacing, const std::vector<double>& velocity,
+               const FaceFields& flux, SiteFields& sites, Gain kind, std::vector<double>& gain);
 
 }  // namespace similitude::vans

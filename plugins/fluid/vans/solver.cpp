@@ -12,17 +12,17 @@ GasSolver::GasSolver(const similitude_grid& grid, const GasOptions& options)
     : FaceFlow(grid, {.density = options.density, .tolerance = options.tolerance, .most_iterations = options.most_iterations}),
       options_(options), components_{make_component(mesh_, tables_[0], 0), make_component(mesh_, tables_[1], 1),
                                      make_component(mesh_, tables_[2], 2)} {
-  std::size_t most_sites = 0;
+  std::array<std::size_t, 3> most_sites{};
   for (std::size_t a = 0; a < 3; ++a) {
     const Component& component = components_[a];
     velocity_[a].assign(u(component.rows), 0.0);
     stage_[a].assign(u(component.rows), 0.0);
     gain_[a].assign(tables_[a].faces.size(), 0.0);
     viscous_[a].assign(tables_[a].faces.size(), 0.0);
-    for (const auto& sites : component.sites) most_sites = std::max(most_sites, sites.size());
+    for (std::size_t b = 0; b < 3; ++b) most_sites[b] = std::max(most_sites[b], component.sites[b].size());
   }
   fraction_old_ = make_face_fields(mesh_);
-  site_.assign(most_sites, 0.0);
+  for (std::size_t b = 0; b < 3; ++b) sites_[b].assign(most_sites[b], 0.0);
 }
 
 /// Means of the two cells of every face, walls and patches included.
@@ -55,27 +55,15 @@ void GasSolver::viscous_force(const similitude_gas_step& step) {
   const bool adds = step.added_viscosity != nullptr;
   if (adds) set_added_viscosity(step.added_viscosity);
   for (std::size_t a = 0; a < 3; ++a) {
-    const Component& component = components_[a];
-    std::fill(viscous_[a].begin(), viscous_[a].end(), 0.0);
     const Viscosity viscosity{options_.viscosity, step.added_viscosity, adds ? &added_viscosity_[a] : nullptr};
-    for (std::size_t b = 0; b < 3; ++b) {
-      if (b == a) {
-        tension_along(component, viscosity, mesh_.spacing[a], velocity_[a], divergence_, site_);
-      } else {
-        tension_across(component, b, viscosity, mesh_.spacing, velocity_[a], velocity_[b], site_);
-      }
-      pull(component, b, mesh_.spacing[b], site_, viscous_[a]);
-    }
+    viscous_force_on(components_[a], viscosity, mesh_.spacing, velocity_, divergence_, sites_, viscous_[a]);
   }
 }
 
-/// gain_ += -div(F u); faces and slots of `velocity` are set.
-void GasSolver::add_transport(const FaceFields& velocity) {
+/// gain_ = or += -div(F u); faces and slots of `velocity` are set.
+void GasSolver::add_transport(const FaceFields& velocity, Gain kind) {
   for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t b = 0; b < 3; ++b) {
-      carry(components_[a], b, options_.advection, velocity[a], flux_[b], site_);
-      collect(components_[a], b, mesh_.spacing[b], site_, gain_[a]);
-    }
+    transport(components_[a], options_.advection, mesh_.spacing, velocity[a], flux_, sites_, kind, gain_[a]);
   }
 }
 
@@ -115,14 +103,13 @@ void GasSolver::advance(const similitude_gas_step& step, similitude_gas_report& 
   for (std::size_t a = 0; a < 3; ++a) {
     set_walls(mesh_, components_[a], step.time, velocity_[a]);
     set_mirrors(components_[a], velocity_[a]);
-    std::fill(gain_[a].begin(), gain_[a].end(), 0.0);
   }
   set_flux(fraction_old_);
   viscous_force(step);
   set_pressure_gradient(step.pressure);
-  add_transport(velocity_);
+  add_transport(velocity_, Gain::first);
   predict(step, 1, stage_);
-  add_transport(stage_);
+  add_transport(stage_, Gain::more);
   predict(step, 0.5, velocity_);
   const Projected projected = project(step);
   fill_velocity(step);

@@ -53,7 +53,7 @@ class GasSolver : public flow::FaceFlow {
  private:
   void viscous_force(const similitude_gas_step& step);
   void set_added_viscosity(const double* added_in_cells);
-  void add_transport(const FaceFields& velocity);
+  void add_transport(const FaceFields& velocity, Gain kind);
   void predict(const similitude_gas_step& step, double share, FaceFields& predicted);
   void fill_stress(const similitude_gas_step& step);
   void fill_momentum(similitude_gas_report& report) const;
@@ -66,7 +66,7 @@ class GasSolver : public flow::FaceFlow {
   FaceFields fraction_old_;   // [-], start of step
   std::array<std::vector<double>, 3> gain_;     // [m/s^2], active faces: advection
   std::array<std::vector<double>, 3> viscous_;  // [N/m^3], active faces
-  std::vector<double> site_;  // scratch, sites
+  SiteFields sites_;          // scratch, of one component
   // Only where something adds viscosity.
   FaceFields added_viscosity_;                              // [Pa s], faces
   std::array<std::vector<std::array<Row, 2>>, 3> cells_of_;   // of every face; one cell twice at the edge of the domain

@@ -40,6 +40,7 @@ class Builder {
       }
     }
     made_.rows = next_slot_;
+    find_all_streaks();
     return std::move(made_);
   }
 
@@ -168,6 +169,34 @@ class Builder {
   Row add(std::size_t b, const Site& site) {
     made_.sites[b].push_back(site);
     return static_cast<Row>(made_.sites[b].size() - 1);
+  }
+
+  void find_all_streaks() {
+    for (std::size_t b = 0; b < 3; ++b) {
+      const std::vector<Site>& sites = made_.sites[b];
+      made_.site_streaks[b] = find_streaks(static_cast<Row>(sites.size()), 0, [&](Row n) {
+        const Site &last = sites[u(n - 1)], &next = sites[u(n)];
+        const bool same = next.flux[0] == last.flux[0] + 1 && next.flux[1] == last.flux[1] + 1 && next.shear == last.shear &&
+                          next.cross == last.cross;
+        if (!same) return Course::mixed;
+        if (b == axis_) {
+          const Row cell = made_.cell_of_site[u(n - 1)];
+          if (cell == k_none || made_.cell_of_site[u(n)] != cell + 1) return Course::mixed;
+        }
+        const Row below = next.below - last.below, above = next.above - last.above;
+        if (next.far_below - last.far_below != below || next.far_above - last.far_above != above) return Course::mixed;
+        if (below == 1 && above == 1) return Course::along;
+        if (below == 0 && above == 1 && last.below == last.far_below) return Course::wall_below;
+        if (below == 1 && above == 0 && last.above == last.far_above) return Course::wall_above;
+        return Course::mixed;
+      });
+    }
+    made_.side_streaks = find_streaks(static_cast<Row>(made_.sides.size()), static_cast<Row>(made_.open_count), [&](Row n) {
+      const Sides &last = made_.sides[u(n - 1)], &next = made_.sides[u(n)];
+      bool along = true;
+      for (std::size_t b = 0; b < 3; ++b) along &= next.low[b] == last.low[b] + 1 && next.high[b] == last.high[b] + 1;
+      return along ? Course::along : Course::mixed;
+    });
   }
 
   const Staggered& mesh_;

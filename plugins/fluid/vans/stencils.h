@@ -11,14 +11,16 @@
 #include <vector>
 
 #include "fluid/face_tables.h"
+#include "streaks.h"
 
 namespace similitude::vans {
 
 using flow::FaceFields;
 using flow::FaceTable;
 using flow::make_face_fields;
-using flow::Row;
-using flow::u;
+
+/// A value per site, by direction of transport.
+using SiteFields = std::array<std::vector<double>, 3>;
 
 struct Site {
   Row far_below, below, above, far_above;  // velocities along the direction of transport
@@ -49,6 +51,8 @@ struct Component {
   Index open_count;                     // of active faces; the others lie on pressure patches
   std::vector<Sides> sides;             // of active faces, in the order of the face table
   std::array<std::vector<Site>, 3> sites;      // by direction of transport
+  std::array<Streaks, 3> site_streaks;         // of sites
+  Streaks side_streaks;                        // of sides; none goes on from open faces to those on patches
   std::vector<Row> cell_of_site;               // of sites along the axis; -1 at the outer side of a pressure patch
   std::vector<WallSlot> walls;
   std::vector<MirrorSlot> mirrors;
