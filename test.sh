@@ -18,8 +18,9 @@ ci_packages=(
   gfortran                 # a drag law in Fortran
   clang libomp-dev valgrind                        # valgrind counts instructions
   chromium chromium-driver python3-selenium        # reports as people see them
+  dpkg-dev mmdebstrap                              # packages, and a clean Debian that installs them
 )
-long_packages=(paraview xvfb dpkg-dev debootstrap)
+long_packages=(paraview xvfb)
 
 # run_ctest FOLDER ARGS…: the tests of a build folder, two at a time.
 run_ctest() {

@@ -19,3 +19,12 @@ echo "== what needs the release build and more time"
 cmake --preset release -DSIMILITUDE_WERROR=ON >/dev/null
 cmake --build build
 run_ctest build -L ci
+
+echo "== portable packages: what nobody asks for costs nothing, counted"
+cmake --preset portable -DSIMILITUDE_WERROR=ON >/dev/null
+cmake --build build-portable
+SIMILITUDE=build-portable/bin/similitude /usr/bin/python3 tests/effects/footprint_test.py
+
+echo "== a stranger with a clean Debian and the packages follows the tutorials for plugin authors; ParaView draws the results"
+(cd build-portable && rm -f ./*.deb && cpack)
+tests/plugin_authors/stranger.sh build-portable build-portable/stranger --paraview

@@ -13,12 +13,5 @@ if [ ! -e results/small_bed_exact ]; then
   build/bin/similitude run configs/small_bed/exact.yaml -o results/small_bed_exact
 fi
 
-echo "== a stranger with a clean Debian and the packages follows the tutorials for plugin authors; their pictures drawn by ParaView"
-cmake --preset portable >/dev/null
-cmake --build build-portable
-(cd build-portable && rm -f ./*.deb && cpack)
-tests/plugin_authors/stranger.sh build-portable build-portable/debian
-tests/plugin_authors/stranger.sh build-portable build-portable/debian --paraview
-
 echo "== measured beds and the paper's at full size, days: break it off as you like, it goes on where it was"
 docs/validation/run_all.py

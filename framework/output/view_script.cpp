@@ -42,9 +42,17 @@ def points_of_frame(source):
     return source.GetDataInformation().GetNumberOfPoints() > 0
 
 
+def read(file, name):
+    """The last frame. ParaView goes on after a file that it could not read, and would draw an empty bed."""
+    source = PVDReader(registrationName=name, FileName=file)
+    source.UpdatePipeline(last_time(source))
+    if "scaling_law" not in source.FieldData.keys():      # every file says what it is, one without particles too
+        raise SystemExit("view.py: this ParaView cannot read the last frame of " + file)
+    return source
+
+
 def show_particles(file, view):
-    bed = PVDReader(registrationName="particles", FileName=file)
-    bed.UpdatePipeline(last_time(bed))
+    bed = read(file, "particles")
     shown = Show(bed, view)
     ColorBy(shown, ("POINTS", "speed [m/s]"))
     if points_of_frame(bed):
@@ -63,8 +71,7 @@ def show_particles(file, view):
 
 
 def show_gas(file, view):
-    gas = PVDReader(registrationName="gas", FileName=file)
-    gas.UpdatePipeline(last_time(gas))
+    gas = read(file, "gas")
     plane = Slice(registrationName="gas in the central plane", Input=gas)
     plane.SliceType = "Plane"
     plane.SliceType.Origin = [0.5 * SIZE[0], 0.5 * SIZE[1], 0.5 * SIZE[2]]
@@ -84,6 +91,8 @@ def colours(shown, array, preset, view):
     bar = GetScalarBar(table, view)
     bar.Title = array
     bar.ComponentTitle = ""
+    if bar.RangeLabelFormat.startswith("%"):      # as in ParaView 5: the ends of the range like the numbers between them
+        bar.RangeLabelFormat = "%.4g"
     bar.TitleColor = [0.0, 0.0, 0.0]
     bar.LabelColor = [0.0, 0.0, 0.0]
     shown.SetScalarBarVisibility(view, True)
@@ -124,6 +133,7 @@ def main():
     view = GetActiveViewOrCreate("RenderView")
     if args.screenshot:
         view.ViewSize = [900, 1200]
+        view.OrientationAxesVisibility = 0      # would cover the foot of the bed
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]

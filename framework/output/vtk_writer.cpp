@@ -89,11 +89,11 @@ void describe(vtkFieldData& fields, const MapBack& map, const std::vector<std::s
   if (!class_names.empty()) add_text(fields, "class_names", class_names);
 }
 
-/// As bytes, so that the disk is written in one place (write_whole_file), which sees when it is full.
+/// As bytes, so that the disk is written in one place (write_whole_file), which sees when it is full. Numbers lie inline in
+/// base 64, not raw behind the XML, which the ParaView of Debian 12 cannot read (docs/decisions/0011).
 std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data) {
   writer.SetInputDataObject(&data);
-  writer.SetDataModeToAppended();
-  writer.EncodeAppendedDataOff();
+  writer.SetDataModeToBinary();
   writer.SetCompressorTypeToZLib();
   writer.SetCompressionLevel(1);  // floats hardly shrink further: level 9 costs several times as long for a few percent
   writer.WriteToOutputStringOn();

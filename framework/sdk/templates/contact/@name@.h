@@ -10,7 +10,7 @@ struct @Type@ {
 
   static void parameters(similitude::Parameters<@Type@>& p) {
     p.real("stiffness", &@Type@::stiffness, {.unit = "N/m", .min = 0, .doc = "normal spring"});
-    p.real("restitution", &@Type@::restitution, 
+    p.real("restitution", &@Type@::restitution,
            {.unit = "1", .min = 0.01, .max = 1, .doc = "normal restitution", .scales_as = similitude::Scales::as_restitution});
   }
 
