@@ -13,7 +13,7 @@ namespace similitude {
 
 /// Relative residuals [-]: what is missing over all that was moved. 0 where nothing has moved yet.
 struct Balances {
-  double momentum = 0;   // of the particles, over the sum of the impulses' magnitudes
+  double momentum = 0;   // of the particles, over the impulses' magnitudes, or over theirs, m |v|, if that is more
   double energy = 0;     // of the particles, over the sum of the works' magnitudes
   double gas_mass = 0;   // over what came in and went out, or over what there is if that is more
   /// Of the gas, over what it was given and what it gave: wall friction and half a cell at the boundary are in it, some per cent.

@@ -46,7 +46,7 @@ KeyTable study_keys() {
       CaseKey{.name = "repeats",
               .form = Form::integer,
               .sign = Sign::positive,
-              .default_text = "1",
+              .default_text = "3",
               .doc = "how often a short run is timed; the median counts"},
       CaseKey{.name = "short",
               .form = Form::quantity,

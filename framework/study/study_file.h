@@ -56,7 +56,7 @@ struct StudyFile {
   std::optional<std::string> smoothing;  // as written: goes to --set
   SourceMark smoothing_mark, from_mark;
   std::string from_text;
-  int repeats = 1;
+  int repeats = 3;
   double short_run = 0;  // [s] of wall time: shorter runs are repeated
   double leg = 0;        // [s] of the real bed: runs made elsewhere go on so long to be timed here; 0: not
   int threads = 0;       // 0: all cores

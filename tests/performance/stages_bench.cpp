@@ -3,12 +3,14 @@
 ///
 ///   stages_bench [--benchmark_filter=…] [--benchmark_format=json] …   (Google Benchmark's options)
 ///
-/// Counters: seconds per particle or per cell; the pressure solve also tells its iterations, which do not depend on the mesh.
+/// machine_memory and machine_arithmetic say what the machine can do. Counters of the others: seconds per particle or per cell; the pressure solve also tells its iterations, which do not depend on the mesh.
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include "bench_bed.h"
 #include "boxes.h"
@@ -174,6 +176,36 @@ void pressure_solve(benchmark::State& state) {
 
 }  // namespace
 
+/// What the machine can move, beyond its caches: a = b + s c (McCalpin's triad), bytes read and written.
+void machine_memory(benchmark::State& state) {
+  constexpr std::size_t k_count = 1 << 24;   // 128 MiB an array
+  std::vector<double> a(k_count, 1), b(k_count, 2), c(k_count, 3);
+  for (auto _ : state) {
+    for (std::size_t k = 0; k < k_count; ++k) a[k] = b[k] + 0.5 * c[k];
+    benchmark::DoNotOptimize(a.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * 3 * sizeof(double) * k_count));
+}
+
+/// What the machine can compute: multiplications with additions on numbers that stay in registers, two operations each.
+void machine_arithmetic(benchmark::State& state) {
+  constexpr std::size_t k_lanes = 64, k_turns = 1000;
+  std::array<double, k_lanes> x;
+  x.fill(1);
+  double factor = 1 - 1e-9;
+  benchmark::DoNotOptimize(factor);
+  for (auto _ : state) {
+    for (std::size_t turn = 0; turn < k_turns; ++turn)
+      for (double& value : x) value = value * factor + 1e-9;
+    benchmark::DoNotOptimize(x.data());
+  }
+  state.counters["operations_per_s"] =
+      benchmark::Counter(static_cast<double>(2 * k_lanes * k_turns), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+BENCHMARK(machine_memory)->Unit(benchmark::kMillisecond);
+BENCHMARK(machine_arithmetic)->Unit(benchmark::kMicrosecond);
 BENCHMARK(list_build)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(contact_pass)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);
 BENCHMARK(interpolation)->Arg(20'000)->Arg(200'000)->Unit(benchmark::kMillisecond);

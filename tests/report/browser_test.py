@@ -23,6 +23,7 @@ cases:
 reference: gidaspow
 metrics: [gas_fraction_profile, pressure_drop, bed_height, dominant_frequency, momentum_residual]
 from: 3 ms
+repeats: 1
 """
 
 

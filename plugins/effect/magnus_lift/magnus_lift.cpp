@@ -40,7 +40,7 @@ struct MagnusLift {
     Relevance r{.threshold = k_threshold,
                 .group = "F_Magnus/F_drag",
                 .source = "a tenth of the drag, within which drag laws agree; Rubinow & Keller (1961), Lun & Liu (1997)",
-                .missing = "spins: they come from collisions, a run with this effect tells"};
+                .missing = "the spins, which only a run with this effect knows,"};
     const Bed& bed = e.bed;
     if (e.occurred) {
       const double slip = e.occurred->slip_speed.mean;
