@@ -61,7 +61,7 @@ TEST_F(StudyFileTest, UnknownKeyNamesTheNearest) {
   EXPECT_EQ(refusal(k_head + "axis: {}\n"),
             "study.yaml:3:1: axis: there is no such key.\n  Did you mean \"axes\"?\n  Keys of a study: "
             "similitude_study, title, base, set, axes, "
-            "cases, reference, metrics, from, smoothing, repeats, short, threads.");
+            "cases, reference, metrics, from, smoothing, repeats, short, leg, threads.");
 }
 
 TEST_F(StudyFileTest, CaseFileIsToldFromAStudy) {
