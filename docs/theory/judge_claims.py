@@ -10,6 +10,7 @@ bins moved together.
 import json
 import math
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib
@@ -28,22 +29,17 @@ STILL = 0.05              # of the spout's speed: what "no motion" may mean
 COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#a6761d", "#3aa0dc", "#000000"]
 
 
+@dataclass
 class Mean:
     """A mean over bins with the half width of its interval."""
-    def __init__(self, bins):
-        bins = [b for b in bins if b["mean"] is not None and b["standard_error"] is not None]
-        self.value = sum(b["mean"] for b in bins) / len(bins)
-        self.reach = REACH * sum(b["standard_error"] for b in bins) / len(bins)
+    value: float
+    reach: float
 
     def minus(self, other):
-        between = Mean.__new__(Mean)
-        between.value, between.reach = self.value - other.value, math.hypot(self.reach, other.reach)
-        return between
+        return Mean(self.value - other.value, math.hypot(self.reach, other.reach))
 
     def over(self, scale):
-        share = Mean.__new__(Mean)
-        share.value, share.reach = self.value / scale, self.reach / abs(scale)
-        return share
+        return Mean(self.value / scale, self.reach / abs(scale))
 
     def stands_out(self):
         return abs(self.value) > self.reach
@@ -59,14 +55,19 @@ def bins(case, z):
     return [b for p in case["profiles"] if p["sampler"] == SAMPLER for b in p["bins"] if abs(b["z"] - z) < 1e-9]
 
 
+def mean_where(case, z, wanted):
+    seen = [b for b in bins(case, z) if wanted(b["x"]) and b["mean"] is not None and b["standard_error"] is not None]
+    return Mean(sum(b["mean"] for b in seen) / len(seen), REACH * sum(b["standard_error"] for b in seen) / len(seen))
+
+
 def between_plates(case, z):
-    return Mean([b for b in bins(case, z) if PLATES[0] < b["x"] < PLATES[1]])
+    return mean_where(case, z, lambda x: PLATES[0] < x < PLATES[1])
 
 
 def outside(case, z):
     """The annulus, two bins off the plates: what moves up beside them belongs to the spout."""
     apart = PLATES[1] - PLATES[0]
-    return Mean([b for b in bins(case, z) if b["x"] < PLATES[0] - apart / 2 or b["x"] > PLATES[1] + apart / 2])
+    return mean_where(case, z, lambda x: x < PLATES[0] - apart / 2 or x > PLATES[1] + apart / 2)
 
 
 def rising(case, z):
@@ -93,16 +94,17 @@ def judge_shape(exact):
 
 def judge_laws(cases, exact):
     for name, claimed in (("link", "close"), ("terminal_velocity", "close"), ("parcel", "low"), ("glicksman", "low")):
-        spout = between_plates(cases[name], LOW).minus(between_plates(exact, LOW)).over(between_plates(exact, LOW).value)
-        above = between_plates(cases[name], HIGH).minus(between_plates(exact, HIGH)).over(between_plates(exact, HIGH).value)
-        fall = outside(cases[name], HIGH).minus(outside(exact, HIGH)).over(abs(outside(exact, HIGH).value))
+        def difference(of, z):
+            return of(cases[name], z).minus(of(exact, z)).over(of(exact, z).value)
+
+        spout, above, fall = difference(between_plates, LOW), difference(between_plates, HIGH), difference(outside, HIGH)
         low = any(d.stands_out() and d.value < 0 for d in (spout, above))
         differs = spout.stands_out() or above.stands_out()
         if claimed == "low":
             verdict = "seen" if low else "not seen" if differs else "not seen: no difference beyond the error"
         else:
             verdict = "seen, within error" if not differs else f"not quite: {'low' if low else 'high'} by more than the error"
-        yield f"iii: {name} is {claimed}", verdict, f"spout {spout.percent()} at 10 cm, {above.percent()} at 30 cm; downflow {(Mean.over(fall, -1)).percent()}"
+        yield f"iii: {name} is {claimed}", verdict, f"spout {spout.percent()} at 10 cm, {above.percent()} at 30 cm; downflow {fall.percent()}"
 
 
 def draw(cases):

@@ -42,6 +42,7 @@ RunTiming difference(const RunTiming& later, const RunTiming& before) {
   between.wall_s -= before.wall_s;
   between.simulated_s -= before.simulated_s;
   between.particle_steps -= before.particle_steps;
+  between.particle_steps_per_s = between.particle_steps / between.wall_s;
   for (RunTiming::Stage& stage : between.stages) {
     for (const RunTiming::Stage& earlier : before.stages)
       if (earlier.name == stage.name) stage.seconds -= earlier.seconds;
@@ -50,12 +51,12 @@ RunTiming difference(const RunTiming& later, const RunTiming& before) {
   return between;
 }
 
-json as_json(const RunTiming& timing, double peak_memory_bytes, const json& of_case) {
-  json page{{"case", of_case},
-            {"wall_s", timing.wall_s},
+/// As timing.json, so that it is read alike.
+json as_json(const RunTiming& timing) {
+  json page{{"wall_s", timing.wall_s},
             {"simulated_s", timing.simulated_s},
             {"particle_steps", timing.particle_steps},
-            {"peak_memory_bytes", peak_memory_bytes},
+            {"particle_steps_per_s", timing.particle_steps_per_s},
             {"stages", json::array()}};
   for (const RunTiming::Stage& stage : timing.stages)
     page["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"share", stage.share}});
@@ -69,9 +70,8 @@ std::string run_leg(const fs::path& run, const fs::path& leg, double length, int
   std::error_code ignored;
   fs::remove_all(leg, ignored);
   fs::create_directories(leg, ignored);
-  const json of_case = json::parse(read_manifest(run).case_text);
   const RunTiming whole = read_timing(run);
-  write_whole_file(leg / k_case_file, of_case.dump(2) + "\n");
+  write_whole_file(leg / k_case_file, read_manifest(run).case_text + "\n");
 
   const auto go = [&](double until, const char* how) {
     std::vector<std::string> arguments{"run", (leg / k_case_file).string(), "-o", leg.string(), how, "--until", round_trip(until) + " s"};
@@ -92,7 +92,9 @@ std::string run_leg(const fs::path& run, const fs::path& leg, double length, int
   if (outcome.exit_status != 0)
     return fmt::format("failed with exit status {}: {}", outcome.exit_status, last_error_in(leg / k_log_file));
   const RunTiming timed = difference(read_timing(leg), before);
-  write_whole_file(leg / k_leg_file, as_json(timed, outcome.peak_memory_bytes, of_case).dump(2) + "\n");
+  json page = as_json(timed);
+  page["peak_memory_bytes"] = outcome.peak_memory_bytes;
+  write_whole_file(leg / k_leg_file, page.dump(2) + "\n");
   return fmt::format("{:.3g} s for {:.3g} s of the bed's time{}", timed.wall_s, timed.simulated_s,
                      before.simulated_s > 0 ? " after its end" : " from its start");
 }
@@ -100,16 +102,16 @@ std::string run_leg(const fs::path& run, const fs::path& leg, double length, int
 std::optional<Leg> read_leg(const fs::path& run, const fs::path& leg) {
   std::ifstream stream(leg / k_leg_file);
   const json page = json::parse(stream, nullptr, false);
-  if (page.is_discarded() || !same_case(page.value("case", json{}).dump(), read_manifest(run).case_text)) return {};
-  Leg timed{.simulated_s = page.at("simulated_s").get<double>(),
-            .peak_memory_bytes = page.at("peak_memory_bytes").get<double>(),
-            .whole_run = read_timing(run)};
-  const double longer = timed.whole_run.simulated_s / timed.simulated_s, wall = page.at("wall_s").get<double>();
-  timed.whole_run.wall_s = wall * longer;
-  timed.whole_run.particle_steps_per_s = page.at("particle_steps").get<double>() / wall;
-  timed.whole_run.stages.clear();
-  for (const json& stage : page.at("stages"))
-    timed.whole_run.stages.push_back({stage.at("name").get<std::string>(), stage.at("seconds").get<double>() * longer, stage.at("share").get<double>()});
+  if (page.is_discarded() || !same_case(read_manifest(leg).case_text, read_manifest(run).case_text)) return {};
+  Leg timed{.simulated_s = 0, .peak_memory_bytes = page.at("peak_memory_bytes").get<double>(), .whole_run = read_timing_file(leg / k_leg_file)};
+  RunTiming& whole = timed.whole_run;
+  timed.simulated_s = whole.simulated_s;
+  const RunTiming finished = read_timing(run);
+  const double longer = finished.simulated_s / timed.simulated_s;
+  whole.wall_s *= longer;
+  whole.simulated_s = finished.simulated_s;
+  whole.particle_steps = finished.particle_steps;
+  for (RunTiming::Stage& stage : whole.stages) stage.seconds *= longer;
   return timed;
 }
 

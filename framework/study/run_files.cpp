@@ -93,8 +93,10 @@ RunManifest read_manifest(const fs::path& folder) {
   });
 }
 
-RunTiming read_timing(const fs::path& folder) {
-  return as_written(folder / "timing.json", [](const json& page) {
+RunTiming read_timing(const fs::path& folder) { return read_timing_file(folder / "timing.json"); }
+
+RunTiming read_timing_file(const fs::path& file) {
+  return as_written(file, [](const json& page) {
     RunTiming timing;
     timing.wall_s = page.at("wall_s").get<double>();
     timing.simulated_s = page.at("simulated_s").get<double>();

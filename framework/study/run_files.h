@@ -47,6 +47,7 @@ bool has_manifest(const std::filesystem::path& folder);
 /// All throw InputError if a file is missing or not as a run writes it.
 RunManifest read_manifest(const std::filesystem::path& folder);
 RunTiming read_timing(const std::filesystem::path& folder);
+RunTiming read_timing_file(const std::filesystem::path& file);
 /// `from` [s]: the monitors' averages start there; profiles were averaged by the run.
 Observations read_observations(const std::filesystem::path& folder, double from);
 /// Measured data: sampler, x, z, mean and, if known, standard error. A row without x and z gives a metric by its name.
