@@ -14,7 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt   # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator   # noqa: E402
+from matplotlib.ticker import FixedLocator, FuncFormatter   # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 STUDIES = ["impact", "slab", "time_step", "mesh", "stiffness", "smoothing", "contact", "drag", "fluid", "scaling"]
@@ -68,7 +68,8 @@ def draw(study, picture):
     axes.set_xscale("log")
     axes.set_xlim(min(walls) / 1.3, max(walls) * 1.3)
     subs = (1, 2, 5) if max(walls) > 5 * min(walls) else (1, 1.5, 2, 3, 4, 5, 6, 8)
-    axes.xaxis.set_major_locator(LogLocator(subs=subs))
+    unit = 60 if min(walls) >= 120 else 1   # as seconds() writes them
+    axes.xaxis.set_major_locator(FixedLocator([unit * sub * 10.0 ** power for power in range(-5, 5) for sub in subs]))
     axes.xaxis.set_minor_locator(matplotlib.ticker.NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: seconds(value)))
     axes.set_ylim(bottom=0)

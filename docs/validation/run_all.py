@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Makes the runs behind docs/validation.md, the cheap ones first, and the page anew after each.
 
-    docs/validation/run_all.py [RESULTS] [--only BED/CASE …] [--until SECONDS] [--set KEY=VALUE]… [--page PAGE]
+    docs/validation/run_all.py [RESULTS] [--only BED/CASE …] [--threads N] [--until SECONDS] [--set KEY=VALUE]… [--page PAGE]
 
 RESULTS: default results/validation. Break it off as you like, by Ctrl-C or worse, and call it again: what is done is passed over and what
 was begun goes on from its last checkpoint. Eight runs take half an hour to an hour each on two cores, the two exact beds days.
@@ -42,7 +42,7 @@ def run_to_its_end(command, log):
     return status if status >= 0 else 128 - status
 
 
-def advance(folder, name, settings, end, after_part):
+def advance(folder, name, settings, threads, end, after_part):
     """Runs to `end` from wherever it is, in parts. Returns the exit status of the part that failed, or 0."""
     program = os.environ.get("SIMILITUDE", SOURCE / "build" / "bin" / "similitude")
     while True:
@@ -54,6 +54,8 @@ def advance(folder, name, settings, end, after_part):
         while part <= reached + SPARE:
             part += PART
         command = [program, "run", SOURCE / "configs" / f"{name}.yaml", "-o", folder, "--until", f"{min(part, end):.6g} s"]
+        if threads:
+            command += ["--threads", str(threads)]
         for setting in settings:
             command += ["--set", setting]
         if any((folder / "checkpoints").glob("*.h5")):
@@ -73,6 +75,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="?", type=pathlib.Path, default=SOURCE / "results" / "validation")
     parser.add_argument("--only", nargs="+", metavar="BED/CASE", choices=[name for name, _, _ in RUNS])
+    parser.add_argument("--threads", type=int, help="of each run; default: all. With 1 and --only several of these go side by side")
     parser.add_argument("--until", type=float, metavar="SECONDS", help="of the real bed; no later than each run's own end")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     parser.add_argument("--page", type=pathlib.Path, help="default: docs/validation.md")
@@ -83,7 +86,7 @@ def main():
             continue
         folder = given.results / name
         folder.parent.mkdir(parents=True, exist_ok=True)
-        status = advance(folder, name, settings + given.set, min(end, given.until or end), lambda: make_page(given.results, given.page))
+        status = advance(folder, name, settings + given.set, given.threads, min(end, given.until or end), lambda: make_page(given.results, given.page))
         if status >= 128:   # interrupted
             return status
         failed = failed or status

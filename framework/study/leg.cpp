@@ -65,16 +65,18 @@ json as_json(const RunTiming& timing) {
 
 }  // namespace
 
+fs::path case_of_leg(const fs::path& leg) { return leg / k_case_file; }
+
 std::string run_leg(const fs::path& run, const fs::path& leg, double length, int threads) {
   if (read_leg(run, leg)) return "was timed before";
   std::error_code ignored;
   fs::remove_all(leg, ignored);
   fs::create_directories(leg, ignored);
   const RunTiming whole = read_timing(run);
-  write_whole_file(leg / k_case_file, read_manifest(run).case_text + "\n");
+  write_whole_file(case_of_leg(leg), read_manifest(run).case_text + "\n");
 
   const auto go = [&](double until, const char* how) {
-    std::vector<std::string> arguments{"run", (leg / k_case_file).string(), "-o", leg.string(), how, "--until", round_trip(until) + " s"};
+    std::vector<std::string> arguments{"run", case_of_leg(leg).string(), "-o", leg.string(), how, "--until", round_trip(until) + " s"};
     if (threads > 0) {
       arguments.push_back("--threads");
       arguments.push_back(std::to_string(threads));

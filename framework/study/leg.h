@@ -20,6 +20,9 @@ struct Leg {
 /// went. Throws OutputError.
 std::string run_leg(const std::filesystem::path& run, const std::filesystem::path& leg, double length, int threads);
 
+/// The case of a leg that was run, in full.
+std::filesystem::path case_of_leg(const std::filesystem::path& leg);
+
 /// Of a leg that was run for this very case; empty if there is none.
 std::optional<Leg> read_leg(const std::filesystem::path& run, const std::filesystem::path& leg);
 

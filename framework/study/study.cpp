@@ -93,11 +93,11 @@ void repeat_if_short(const StudyPlan& plan, const PlannedCase& planned, const fs
 }
 
 /// Settles the bed for the run as well, where it is small or kept already.
-Prediction predict(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue) {
-  omp_set_num_threads(plan.study.threads > 0 ? plan.study.threads : omp_get_num_procs());
+Prediction predict(const fs::path& case_file, const std::vector<std::string>& overrides, int threads, const Catalogue& catalogue) {
+  omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
   Prediction predicted;
   try {
-    const CaseFile file = read_case(plan.study.base, catalogue, planned.overrides);
+    const CaseFile file = read_case(case_file, catalogue, overrides);
     const Assembly assembly = assemble(file.scene, catalogue);
     const PredictedCost cost = predict_cost(assembly, choose_time_steps(assembly));
     predicted.gap = cost.gap;
@@ -111,17 +111,23 @@ Prediction predict(const StudyPlan& plan, const PlannedCase& planned, const Cata
 }
 
 /// What was run elsewhere, or in parts on several machines, says nothing of this one's speed.
-std::string time_here(const StudyPlan& plan, const fs::path& run, const fs::path& leg) {
+std::string time_here(const StudyPlan& plan, const Catalogue& catalogue, const fs::path& run, const fs::path& leg) {
   if (!(plan.study.leg > 0)) return "its time on this machine is not known (leg: 10 ms would time it)";
-  return "a short leg of it here: " + run_leg(run, leg, plan.study.leg, plan.study.threads);
+  const std::string how = run_leg(run, leg, plan.study.leg, plan.study.threads);
+  Cost cost = read_cost(leg);
+  if (StopSignal::received() == 0 && read_leg(run, leg) && !cost.predicted.known()) {
+    cost.predicted = predict(case_of_leg(leg), {}, plan.study.threads, catalogue);
+    write_cost(leg, cost);
+  }
+  return "a short leg of it here: " + how;
 }
 
 /// A line that says how it ended.
 std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue, const fs::path& folder) {
   if (finished(folder, planned.resolved))
-    return timed_here(folder) ? "was done before" : "was done elsewhere; " + time_here(plan, folder, folder / k_leg_folder);
+    return timed_here(folder) ? "was done before" : "was done elsewhere; " + time_here(plan, catalogue, folder, folder / k_leg_folder);
   make_folder(folder);
-  const Prediction predicted = predict(plan, planned, catalogue);
+  const Prediction predicted = predict(plan.study.base, planned.overrides, plan.study.threads, catalogue);
   if (StopSignal::received() != 0) return "interrupted";
   std::error_code ignored;
   remove_cost(folder);
@@ -144,7 +150,7 @@ std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Cat
   Cost cost{.repeats = {read_timing(folder).wall_s}, .peak_memory_bytes = outcome.peak_memory_bytes, .predicted = predicted};
   repeat_if_short(plan, planned, folder, cost);
   if (StopSignal::received() != 0) return "interrupted";
-  if (!begun_here) return "was begun elsewhere; " + time_here(plan, folder, folder / k_leg_folder);
+  if (!begun_here) return "was begun elsewhere; " + time_here(plan, catalogue, folder, folder / k_leg_folder);
   write_cost(folder, cost);
   return fmt::format("{:.3g} s{}, {} particles, {}", cost.repeats.front(), resumed ? " since it was resumed" : "",
                      read_manifest(folder).particles, memory_text(cost.peak_memory_bytes));
@@ -159,18 +165,19 @@ double median(std::vector<double> values) {
 }
 
 /// Of a whole run at the speed of a short one.
-void take_leg(StudyCase& one, const Leg& leg) {
+void take_leg(StudyCase& one, const Leg& leg, const fs::path& folder) {
   one.timing = leg.whole_run;
   one.extrapolated_from = leg.simulated_s;
   one.wall_s = leg.whole_run.wall_s;
   one.repeats = {one.wall_s};
   one.peak_memory_bytes = leg.peak_memory_bytes;
+  one.predicted = read_cost(folder).predicted;
 }
 
 void read_cost_into(StudyCase& one, const fs::path& folder) {
   one.timing = read_timing(folder);
   if (!timed_here(folder)) {
-    if (const auto leg = read_leg(folder, folder / k_leg_folder)) take_leg(one, *leg);
+    if (const auto leg = read_leg(folder, folder / k_leg_folder)) take_leg(one, *leg, folder / k_leg_folder);
     return;
   }
   const Cost cost = read_cost(folder);
@@ -219,7 +226,7 @@ StudyCase stored_reference(const StudyPlan& plan, const fs::path& folder) {
   one.state_hash = plan.stored->state_hash;
   if (plan.outside) one.profiles = plan.outside->profiles;
   if (const auto leg = read_leg(run, folder / k_reference_leg_folder)) {
-    take_leg(one, *leg);
+    take_leg(one, *leg, folder / k_reference_leg_folder);
   } else if (timed_here(run)) {
     one.wall_s = one.timing.wall_s;
     one.repeats = {one.wall_s};
@@ -305,7 +312,7 @@ int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const fs::path&
   make_folder(folder);
   const StopSignal stop_signal;
   if (plan.stored && plan.study.leg > 0)
-    say("reference, " + time_here(plan, plan.study.reference.path, folder / k_reference_leg_folder));
+    say("reference, " + time_here(plan, catalogue, plan.study.reference.path, folder / k_reference_leg_folder));
   for (std::size_t k = 0; k < plan.cases.size() && StopSignal::received() == 0; ++k) {
     const PlannedCase& planned = plan.cases[k];
     say(fmt::format("{}/{} {}: {}", k + 1, plan.cases.size(), planned.name,

@@ -181,6 +181,7 @@ class Study(CommandTest):
         self.assertTrue(stored["reference"])
         self.assertAlmostEqual(stored["extrapolated_from_s"], 4e-3, delta=0.5e-3)   # whole gas steps
         self.assertGreater(stored["wall_s"], 0)
+        self.assertGreater(stored["predicted"]["wall_s"], 0)
         # The same case as the study's first, so the same bits.
         self.assertEqual(page["cases"][0]["state_hash"], stored["state_hash"])
         self.assertEqual(page["cases"][0]["error"]["gas_fraction_profile"]["value"], 0)
@@ -205,6 +206,7 @@ class Study(CommandTest):
         there = self.page()["cases"][1]
         self.assertAlmostEqual(there["extrapolated_from_s"], 4e-3, delta=0.5e-3)   # whole gas steps
         self.assertAlmostEqual(there["wall_s"], sum(stage["seconds"] for stage in there["stages"]), delta=0.1 * there["wall_s"])
+        self.assertGreater(there["predicted"]["wall_s"], 0)
         self.assertEqual(there["metrics"], whole["cases"][1]["metrics"])
         again = self.study(STUDY + "leg: 4 ms\n", "--resume")
         self.assertIn("2/2 di_felice: was done elsewhere; a short leg of it here: was timed before\n", again.stdout)

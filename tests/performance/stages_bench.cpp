@@ -3,7 +3,9 @@
 ///
 ///   stages_bench [--benchmark_filter=…] [--benchmark_format=json] …   (Google Benchmark's options)
 ///
-/// machine_memory and machine_arithmetic say what the machine can do. Counters of the others: seconds per particle or per cell; the pressure solve also tells its iterations, which do not depend on the mesh.
+/// machine_memory and machine_arithmetic say what the machine can do. Counters of the others: seconds per particle or per cell, and of these how many;
+/// the pressure solve also tells its iterations, which do not depend on the mesh. What is timed stands in functions called measured_…, never
+/// inlined, for callgrind to know them by (tests/performance/roofline).
 
 #include <benchmark/benchmark.h>
 
@@ -30,6 +32,7 @@ constexpr double k_skin = 0.1 * k_diameter, k_cell = 2.5e-3;   // [m]
 void per_item(benchmark::State& state, const char* name, std::size_t items) {
   state.counters[name] =
       benchmark::Counter(static_cast<double>(items), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["items"] = static_cast<double>(items);
 }
 
 /// A settled bed's number of contacts, its rows sorted and its lists built, as the engine holds them.
@@ -74,26 +77,30 @@ struct ListedBed {
 };
 
 /// Sorting, carrying the history over, searching: all that a rebuild does but moving the rows.
+[[gnu::noinline]] void measured_list_build(ListedBed& listed, const std::vector<std::uint8_t>& nobody_leaves, const std::vector<std::uint32_t>& same_rows) {
+  listed.bricks.sort(listed.bed, nobody_leaves);
+  listed.carried.collect(listed.lists, same_rows, listed.bed.size());
+  listed.build();
+}
+
 void list_build(benchmark::State& state) {
   ListedBed listed(static_cast<std::size_t>(state.range(0)));
   const std::size_t count = listed.bed.size();
   const std::vector<std::uint8_t> nobody_leaves(count, 0);
   std::vector<std::uint32_t> same_rows(count);
   for (std::uint32_t row = 0; row < count; ++row) same_rows[row] = row;
-  for (auto _ : state) {
-    listed.bricks.sort(listed.bed, nobody_leaves);
-    listed.carried.collect(listed.lists, same_rows, count);
-    listed.build();
-  }
+  for (auto _ : state) measured_list_build(listed, nobody_leaves, same_rows);
   per_item(state, "per_particle", count);
 }
+
+[[gnu::noinline]] std::size_t measured_contact_pass(ListedBed& listed) { return listed.pass(); }
 
 void contact_pass(benchmark::State& state) {
   ListedBed listed(static_cast<std::size_t>(state.range(0)));
   std::size_t touching = 0;
-  for (auto _ : state) touching = listed.pass();
-  per_item(state, "per_particle", listed.bed.size());
+  for (auto _ : state) touching = measured_contact_pass(listed);
   per_item(state, "per_contact", touching);
+  per_item(state, "per_particle", listed.bed.size());
   state.counters["contacts_per_particle"] = static_cast<double>(touching) / static_cast<double>(listed.bed.size());
 }
 
@@ -115,35 +122,49 @@ struct CellBed {
   CellRows field;
 };
 
+[[gnu::noinline]] void measured_interpolation(const CellBed& cells) {
+  for (const Row& position : cells.bed.position) benchmark::DoNotOptimize(gather(cells.map.stencil(position), cells.field));
+}
+
 void interpolation(benchmark::State& state) {
   const CellBed cells(static_cast<std::size_t>(state.range(0)));
-  for (auto _ : state) {
-    for (const Row& position : cells.bed.position) benchmark::DoNotOptimize(gather(cells.map.stencil(position), cells.field));
-  }
+  for (auto _ : state) measured_interpolation(cells);
   per_item(state, "per_particle", cells.bed.size());
+}
+
+[[gnu::noinline]] void measured_deposit(CellBed& cells, Deposit& to_cells) {
+  to_cells.sort(cells.bed.position);
+  to_cells.spread(cells.bed.position, [&](std::size_t row) { return cells.bed.velocity[row]; }, cells.field);
+  benchmark::ClobberMemory();
 }
 
 void deposit(benchmark::State& state) {
   CellBed cells(static_cast<std::size_t>(state.range(0)));
   Deposit to_cells(cells.map);
-  for (auto _ : state) {
-    to_cells.sort(cells.bed.position);
-    to_cells.spread(cells.bed.position, [&](std::size_t row) { return cells.bed.velocity[row]; }, cells.field);
-    benchmark::ClobberMemory();
-  }
+  for (auto _ : state) measured_deposit(cells, to_cells);
   per_item(state, "per_particle", cells.bed.size());
+}
+
+[[gnu::noinline]] void measured_smoothing(CellBed& cells, Smoothing& smooth) {
+  smooth.apply(cells.field);
+  benchmark::ClobberMemory();
 }
 
 /// Over three particle diameters, the default.
 void smoothing(benchmark::State& state) {
   CellBed cells(static_cast<std::size_t>(state.range(0)));
   Smoothing smooth(cells.map, 3 * k_diameter);
-  for (auto _ : state) {
-    smooth.apply(cells.field);
-    benchmark::ClobberMemory();
-  }
+  for (auto _ : state) measured_smoothing(cells, smooth);
   per_item(state, "per_cell", cells.map.cell_count());
   state.counters["steps"] = smooth.steps();
+}
+
+using FaceValues = std::array<std::vector<double>, 3>;
+
+[[gnu::noinline]] SolveReport measured_pressure_solve(MultigridCG& solver, const FaceValues& coefficient, const std::vector<double>& rhs, std::vector<double>& pressure) {
+  solver.set_coefficients({coefficient[0].data(), coefficient[1].data(), coefficient[2].data()});
+  std::fill(pressure.begin(), pressure.end(), 0);
+  return solver.solve(rhs.data(), pressure.data(), {.tolerance = 1e-8});
 }
 
 /// A bed that passes a hundredth of what open gas does, in the lower half; an outlet on top; noise on the right-hand side.
@@ -152,7 +173,7 @@ void pressure_solve(benchmark::State& state) {
   test::Box box({.cells = {n, n, n}});
   box.set_side(2, 1, box.pressure_patch("outlet", 0));
   const Staggered mesh = box.mesh();
-  std::array<std::vector<double>, 3> coefficient;
+  FaceValues coefficient;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto layer = mesh.face_extent[axis][0] * mesh.face_extent[axis][1];
     for (Index face = 0; face < mesh.face_count[axis]; ++face) coefficient[axis].push_back(face / layer < n / 2 ? 0.01 : 1.0);
@@ -163,14 +184,9 @@ void pressure_solve(benchmark::State& state) {
   for (double& value : rhs) value = both(random);
   MultigridCG solver(box.table());
   SolveReport report;
-  for (auto _ : state) {
-    solver.set_coefficients({coefficient[0].data(), coefficient[1].data(), coefficient[2].data()});
-    std::fill(pressure.begin(), pressure.end(), 0);
-    report = solver.solve(rhs.data(), pressure.data(), {.tolerance = 1e-8});
-  }
+  for (auto _ : state) report = measured_pressure_solve(solver, coefficient, rhs, pressure);
   if (!report.converged) state.SkipWithError("the pressure equation did not converge");
   per_item(state, "per_cell", rhs.size());
-  state.counters["cells"] = static_cast<double>(rhs.size());
   state.counters["iterations"] = report.iterations;
 }
 
