@@ -158,17 +158,21 @@ void warn_of_lost_velocity(const GroupComparison* group, const char* meaning, st
 AuditedBed audited(const RealScene& scene, SphereDrag drag) { return audited_bed(scene, std::move(drag)); }
 AuditedBed audited(const ModelScene& scene, SphereDrag drag) { return audited_bed(scene, std::move(drag)); }
 
-double gas_fraction_at_minimum(const RealScene& scene) {
-  double from_velocity = std::numeric_limits<double>::quiet_NaN();
+std::optional<double> given_gas_fraction_at_minimum(const RealScene& scene) {
+  std::optional<double> from_velocity;
   for (const ModelChoice* model : {&scene.models.scaling, &scene.models.drag}) {
     for (const ModelParameter& parameter : model->parameters) {
       if (!parameter.given) continue;
       if (parameter.name == "gas_fraction_at_minimum_fluidization") return parameter.real;
-      if (parameter.name == "minimum_fluidization_velocity" && std::isnan(from_velocity))
+      if (parameter.name == "minimum_fluidization_velocity" && !from_velocity)
         from_velocity = gas_fraction_ergun(sphere_in_gas(describe(scene)), parameter.real);
     }
   }
-  return std::isnan(from_velocity) ? k_gas_fraction_at_minimum : from_velocity;
+  return from_velocity;
+}
+
+double gas_fraction_at_minimum(const RealScene& scene) {
+  return given_gas_fraction_at_minimum(scene).value_or(k_gas_fraction_at_minimum);
 }
 
 std::vector<GroupComparison> compare_groups(const similitude_bed& real, const similitude_bed& simulated) {

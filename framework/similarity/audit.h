@@ -1,6 +1,7 @@
 #pragma once
 /// Which groups a scaling keeps, by how much it misses the others, and where that matters in this bed.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,9 @@ AuditedBed audited(const RealScene& scene, SphereDrag drag = {});
 AuditedBed audited(const ModelScene& scene, SphereDrag drag = {});
 
 /// The gas fraction at minimum fluidisation that the case gives: a parameter gas_fraction_at_minimum_fluidization of its
-/// scaling or drag law, or what follows by Ergun from minimum_fluidization_velocity; k_gas_fraction_at_minimum if neither.
+/// scaling or drag law, or what follows by Ergun from minimum_fluidization_velocity; none if neither.
+std::optional<double> given_gas_fraction_at_minimum(const RealScene& scene);
+/// The same, or k_gas_fraction_at_minimum if the case gives none.
 double gas_fraction_at_minimum(const RealScene& scene);
 
 /// Groups that both beds lack are left out. u_mf at `gas_fraction_at_minimum` in both.

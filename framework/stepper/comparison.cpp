@@ -124,11 +124,14 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   const Priced bed = priced(typed, law);
   const Assembly& assembly = bed.assembly;
   strategy.factors = assembly.ratios;
-  const ScalingAudit audit = audit_of(assembly, typed.catalogue, comparison.gas_fraction_at_minimum);
+  const double gas_fraction = given_gas_fraction_at_minimum(assembly.real).value_or(comparison.gas_fraction_at_minimum);
+  const ScalingAudit audit = audit_of(assembly, typed.catalogue, gas_fraction);
   strategy.groups = audit.groups;
   strategy.warnings = assembly.warnings;
   strategy.warnings.insert(strategy.warnings.end(), audit.warnings.begin(), audit.warnings.end());
   for (const std::string& warning : bed.steps.warnings) strategy.warnings.push_back(warning);
+  if (std::abs(gas_fraction / comparison.gas_fraction_at_minimum - 1) > k_kept_within)
+    strategy.warnings.push_back(fmt::format("its u0/u_mf is taken at the gas fraction that it was told, {:.4g}.", gas_fraction));
   strategy.particles = bed.particles;
   strategy.particle_steps = bed.particle_steps;
   strategy.speedup = comparison.particle_steps / bed.particle_steps;
@@ -136,6 +139,20 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
                     static_cast<double>(bed.steps.gas_steps_until(assembly.model.time.end)) *
                         (comparison.gas_step_s + comparison.exchange_s * bed.particles);
   return strategy;
+}
+
+/// u_mf of all laws is taken where the first law that was told a gas fraction at minimum fluidization has it, so that the law is
+/// judged by what it was made of.
+std::optional<double> gas_fraction_told(const CaseAsTyped& typed, const std::vector<LawChoice>& laws) {
+  for (const LawChoice& law : laws) {
+    if (law.because != k_asked_for) continue;
+    try {
+      const std::optional<double> told = given_gas_fraction_at_minimum(case_with(typed, law).scene);
+      if (told) return told;
+    } catch (const InputError&) {   // told in the law's own row
+    }
+  }
+  return {};
 }
 
 /// What is measured or taken once for all laws.
@@ -297,6 +314,7 @@ std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::s
 
 Comparison compare_laws(const CaseAsTyped& typed, const std::vector<LawChoice>& laws) {
   Comparison comparison = started(typed);
+  comparison.gas_fraction_at_minimum = gas_fraction_told(typed, laws).value_or(comparison.gas_fraction_at_minimum);
   for (const LawChoice& law : laws) {
     try {
       comparison.strategies.push_back(audited_strategy(typed, law, comparison));

@@ -32,7 +32,7 @@ struct Strategy {
 
 struct Comparison {
   std::string title;
-  double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken
+  double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken; a law that was told another is judged at its own
   double particle_steps = 0;            // of the real bed, simulated exactly
   double particle_steps_per_s = 0, gas_step_s = 0, exchange_s = 0;   // measured on this machine, with the case's own law: see prediction.h
   std::vector<Strategy> strategies;

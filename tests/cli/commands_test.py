@@ -170,6 +170,17 @@ class Scale(CommandTest):
         self.assertEqual([strategy["id"] for strategy in strategies], ["link", "similarity"])
         self.assertAlmostEqual(strategies[0]["factors"]["gas_viscosity"], 2)
 
+    def test_judges_a_law_by_the_minimum_fluidization_that_it_was_told(self):
+        velocity, fraction = "glicksman:geometry=0.5,minimum_fluidization_velocity=0.36 m/s", \
+            "glicksman:geometry=0.5,gas_fraction_at_minimum_fluidization=0.45"
+        both = self.strategies("--law", velocity, "--law", fraction, "--law", "link:n=2")
+        self.assertTrue(all(strategy["groups"]["u0/u_mf"]["kept"] for strategy in both))
+        told = "its u0/u_mf is taken at the gas fraction that it was told, 0.45."
+        self.assertEqual([told in strategy["warnings"] for strategy in both], [False, True, False])
+        case = os.path.join(SOURCE, "configs", "small_bed", "exact.yaml")
+        self.assertIn("u_mf at a gas fraction of 0.4328.\n", self.command("scale", case, "--law", velocity).stdout)
+        self.assertIn("u_mf at a gas fraction of 0.42.\n", self.command("scale", case, "--law", "link:n=2").stdout)
+
     def test_proposes_laws_for_a_speed_up(self):
         exact, *proposals = self.strategies("--speedup", "20")
         self.assertEqual(exact["id"], "exact")
