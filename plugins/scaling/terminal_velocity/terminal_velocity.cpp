@@ -31,5 +31,5 @@ struct TerminalVelocity {
 
 }  // namespace
 
-SIMILITUDE_SCALING_LAW(TerminalVelocity, "terminal_velocity", "1.0.0", "Smaller bed, larger particles, same u0/u_t",
+SIMILITUDE_SCALING_LAW(TerminalVelocity, "terminal_velocity", "1.0.0", "Smaller bed, relatively larger particles, same u0/u_t",
                        "Similitude authors")
