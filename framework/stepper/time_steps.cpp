@@ -40,12 +40,14 @@ bool has_walls(const ModelScene& scene) {
   return !scene.baffles.empty() || std::ranges::any_of(scene.periodic, [](bool repeats) { return !repeats; });
 }
 
+/// Of the lightest particle of each class: a row of a bed's file may be smaller than its class.
 std::vector<Impact> impacts_of(const Assembly& assembly) {
   const ModelScene& scene = assembly.model;
   std::vector<Sphere> classes;
   for (const auto& particles : scene.particles) {
     const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
-    classes.push_back({mass, particles.diameter / 2});
+    const FileRows rows = particles.rows.value_or(FileRows{});
+    classes.push_back({mass * rows.least_mass, particles.diameter / 2 * rows.diameter_of_lightest});
   }
   std::vector<Impact> impacts = possible_impacts(classes, assembly.contact);
   if (!has_walls(scene)) std::erase_if(impacts, [&](const Impact& impact) { return impact.materials.second == classes.size(); });
@@ -100,7 +102,9 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
     limits.push_back(contact_limit(assembly));
     effect_limits(assembly, limits);
     double diameter = k_never;
-    for (const auto& particles : scene.particles) diameter = std::min(diameter, particles.diameter);
+    for (const auto& particles : scene.particles) {
+      diameter = std::min(diameter, particles.diameter * particles.rows.value_or(FileRows{}).least_diameter);
+    }
     const double speed = free_fall_speed(scene);
     if (speed > 0) {
       limits.push_back({"particle motion", "a tenth of a diameter per sub-step at free-fall speed", StepKind::particles,
