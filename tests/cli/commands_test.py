@@ -189,6 +189,24 @@ class BedFromAFile(CommandTest):
             self.assertIn(strategy["particles"], (2, None))   # a file's rows are simulated one by one, whatever the law
 
 
+class GasStep(CommandTest):
+    def test_longer_than_the_run_and_its_outputs_is_said(self):
+        self.write("x,y,z\n0.01,0.01,0.01\n", "ball.csv")
+        case = BALL.replace("end: 40 ms", "end: 0.1 ms").replace("every 2 ms", "every 50 us")
+        done = self.run_case(case)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"warning: time.gas_dt: the gas step of 0.000\d+ s is longer than time.end \(0.0001 s\), output.monitors "
+                                      r"\(5e-05 s\); nothing is written within it, and the run ends after a whole one.\n"
+                                      r"  Set time.gas_dt: 5e-05 s.\n")
+        done = self.run_case(case.replace("dt: auto", "dt: auto, gas_dt: 5e-05 s"), "--force")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("warning", done.stderr)
+        with open(self.path("out/monitors.csv"), encoding="utf-8", newline="") as file:
+            times = [float(row["time [s]"]) for row in csv.DictReader(file)]
+        self.assertLess(times[-1], 0.15e-3)
+        self.assertGreaterEqual(len(times), 3)
+
+
 class ShippedBeds(CommandTest):
     def test_cases_of_one_bed_differ_in_models_scaling_alone(self):
         for folder in ("spouted_bed", "spouted_bed_glass", "small_bed"):
