@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "particles/bed_file.h"
 #include "stepper/inspection.h"
 #include "stepper/prediction.h"
 
@@ -94,6 +95,7 @@ std::string bed_line(const Scene<Bed>& scene, const TimeSteps& steps, double tim
   for (const ParticleClass& species : scene.particles) {
     line += fmt::format(", {} {:.4g} mm and {:.4g} kg/m^3", species.name, 1e3 * species.diameter, species.density);
     if (species.count) line += fmt::format(" x {}", *species.count);
+    if (species.rows) line += fmt::format(" x {} of the file", species.rows->count);
   }
   return line;
 }
@@ -141,7 +143,8 @@ void print(const Inspection& seen, std::ostream& out) {
 
 int check(const CheckArguments& arguments) {
   const Catalogue plugins = catalogue_for(arguments.case_file);
-  const CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  read_bed_rows(case_file.scene);
   Inspection seen;
   seen.assembly = assemble(case_file.scene, plugins);
   seen.steps = choose_time_steps(seen.assembly);

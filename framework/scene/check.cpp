@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <similitude/abi.h>
+#include <similitude/sphere.h>
 
 #include "scene/alignment.h"
 #include "scene/messages.h"
@@ -126,8 +126,7 @@ void check_amount(const RealScene& scene, const Document& document, std::vector<
     if (!species.count)
       throw InputError(document.mark(path), path, "nothing says how many particles there are.",
                        "Add a count, or scene.bed.height.");
-    volume += static_cast<double>(*species.count) * std::numbers::pi / 6 * species.diameter * species.diameter *
-              species.diameter;
+    volume += static_cast<double>(*species.count) * sphere_volume(species.diameter);
     largest = path;
   }
   const double area = scene.size[0] * scene.size[1];

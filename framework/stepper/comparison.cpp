@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "particles/bed_file.h"
 #include "scene/case_file.h"
 #include "scene/messages.h"
 #include "stepper/inspection.h"
@@ -157,8 +158,8 @@ std::optional<double> gas_fraction_told(const CaseAsTyped& typed, const std::vec
 
 /// What is measured or taken once for all laws.
 Comparison started(const CaseAsTyped& typed) {
-  const CaseFile own = read_case(typed.file, typed.catalogue, typed.overrides);
-  const RealScene& scene = own.scene;
+  RealScene scene = read_case(typed.file, typed.catalogue, typed.overrides).scene;
+  read_bed_rows(scene);
   if (scene.particles.empty() || !(describe(scene).gravity > 0))
     throw InputError("this case has no particles under gravity: there is nothing that a scaling law could compare.",
                      "Give scene.particles, or remove scene.gravity.");

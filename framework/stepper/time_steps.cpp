@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,12 +41,14 @@ bool has_walls(const ModelScene& scene) {
   return !scene.baffles.empty() || std::ranges::any_of(scene.periodic, [](bool repeats) { return !repeats; });
 }
 
+/// Of the lightest particle of each class: a row of a bed's file may be smaller than its class.
 std::vector<Impact> impacts_of(const Assembly& assembly) {
   const ModelScene& scene = assembly.model;
   std::vector<Sphere> classes;
   for (const auto& particles : scene.particles) {
     const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
-    classes.push_back({mass, particles.diameter / 2});
+    const FileRows rows = particles.rows.value_or(FileRows{});
+    classes.push_back({mass * rows.least_mass, particles.diameter / 2 * rows.diameter_of_lightest});
   }
   std::vector<Impact> impacts = possible_impacts(classes, assembly.contact);
   if (!has_walls(scene)) std::erase_if(impacts, [&](const Impact& impact) { return impact.materials.second == classes.size(); });
@@ -100,7 +103,9 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
     limits.push_back(contact_limit(assembly));
     effect_limits(assembly, limits);
     double diameter = k_never;
-    for (const auto& particles : scene.particles) diameter = std::min(diameter, particles.diameter);
+    for (const auto& particles : scene.particles) {
+      diameter = std::min(diameter, particles.diameter * particles.rows.value_or(FileRows{}).least_diameter);
+    }
     const double speed = free_fall_speed(scene);
     if (speed > 0) {
       limits.push_back({"particle motion", "a tenth of a diameter per sub-step at free-fall speed", StepKind::particles,
@@ -155,6 +160,27 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
                                            limit.advised * to_real, limit.name, limit.because));
     }
   }
+}
+
+/// The gas step follows from the physics alone, so that neither the end nor an output changes a state; a step that is longer
+/// than they are passes them by.
+void warn_of_what_is_passed_by(const Assembly& assembly, TimeSteps& steps) {
+  const ModelScene& scene = assembly.model;
+  const double to_real = 1 / assembly.results.time;
+  const double gas_dt = steps.gas_dt();
+  const std::pair<const char*, double> asked[] = {
+      {"time.end", scene.time.end}, {"output.monitors", scene.output.monitor_every}, {"output.vtk", scene.output.vtk_every}};
+  std::string passed;
+  double shortest = k_never;
+  for (const auto& [key, interval] : asked) {
+    if (!(interval > 0) || gas_dt <= interval * (1 + 1e-9)) continue;
+    passed += fmt::format("{}{} ({:.3g} s)", passed.empty() ? "" : ", ", key, interval * to_real);
+    shortest = std::min(shortest, interval);
+  }
+  if (passed.empty()) return;
+  steps.warnings.push_back(fmt::format("time.gas_dt: the gas step of {:.3g} s is longer than {}; nothing is written within it, and the run ends "
+                                       "after a whole one.\n  Set time.gas_dt: {:.3g} s.",
+                                       gas_dt * to_real, passed, std::max(shortest, steps.dt) * to_real));
 }
 
 /// Steps are counted in whole numbers. What wants more of them than a double tells apart was not meant: an inlet of 1e308 m/s.
@@ -214,6 +240,7 @@ TimeSteps choose_time_steps(const Assembly& assembly) {
   }
   // Whole number of sub-steps: rounded down, so that the gas step never exceeds what was chosen.
   steps.sub_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(gas_dt / steps.dt * (1 + 1e-9))));
+  warn_of_what_is_passed_by(assembly, steps);
   return steps;
 }
 
