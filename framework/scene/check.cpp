@@ -34,7 +34,7 @@ void check_cells(const RealScene& scene, const Document& document) {
     if (near.ok) continue;
     throw InputError(document.mark(path + "." + std::to_string(index(axis))), path,
                      letter(axis) + " = " + in_mm(size) + " is not a whole number of cells of " + in_mm(cell) + ".",
-                     near.low > 0 ? off_face_fix(size, cell)
+                     near.low > 0 ? off_face_fix(size, cell, largest_diameter(scene))
                                   : "Use " + in_mm(near.high) + ", or set scene.domain.cell: " + in_mm(size) + ".");
   }
   double cells = 1;

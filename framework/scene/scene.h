@@ -184,6 +184,14 @@ struct Scene {
   Output output;
 };
 
+/// [m], of what touches; 0 without particles.
+template <class Bed>
+double largest_diameter(const Scene<Bed>& scene) {
+  double largest = 0;
+  for (const ParticleClass& species : scene.particles) largest = species.diameter > largest ? species.diameter : largest;
+  return largest;
+}
+
 using RealScene = Scene<RealBed>;
 using ModelScene = Scene<ModelBed>;
 

@@ -202,6 +202,33 @@ std::vector<GroupComparison> compare_groups(const AuditedBed& real, const Audite
   return all;
 }
 
+std::vector<std::string> group_legend(const AuditedBed& real, const std::vector<GroupComparison>& groups, double gas_fraction) {
+  const similitude_bed& bed = real.bed;
+  const SphereInGas sphere = sphere_in_gas(bed);
+  std::vector<std::string> lines{
+      fmt::format("u0 = {:.4g} m/s, mean superficial velocity; u_mf = {:.3g} m/s by Ergun; u_t = {:.3g} m/s by Schiller-Naumann, {:.3g} m/s by "
+                  "Newton (C_D = 4/9)",
+                  bed.superficial_velocity, minimum_fluidisation_ergun(sphere, gas_fraction), terminal_velocity(sphere, schiller_naumann),
+                  terminal_velocity_newton(sphere)),
+      fmt::format("L = {:.4g} mm, width; d = {:.4g} mm, particle", 1e3 * bed.bed_width, 1e3 * bed.particle_diameter)};
+  const auto length = [&](const char* name, const char* meaning, double value) {
+    if (value > 0) lines.back() += fmt::format("; {} = {:.4g} mm, {}", name, 1e3 * value, meaning);
+  };
+  length("depth", "from front to back", real.depth);
+  length("slot", "narrowest side of an inlet", real.slot);
+  length("gap", "narrowest, between plates or a plate and a wall", real.plate_gap);
+  length("entrance", "below the lowest plate", real.entrance);
+  length("cell", "smallest of the gas", real.cell);
+  const auto define = [&](const char* name, const std::string& text) {
+    if (find(groups, name) != nullptr) lines.push_back(std::string(name) + " = " + text);
+  };
+  define("Fr", "u0^2/(g L); Re = rho_f u0 d/mu; Ar = g rho_f (rho_p - rho_f) d^3/mu^2; St = rho_p d^2 u0/(18 mu L)");
+  define("J", fmt::format("rho_f u_jet^2/((rho_p - rho_f) g L), jet momentum over bed weight; u_jet = {:.4g} m/s, the fastest inlet",
+                          bed.largest_inlet_velocity));
+  define("softness", "K/(rho_p g L d) of a spring K, or E/(rho_p g L) of a modulus E: contact stiffness over bed weight");
+  return lines;
+}
+
 std::vector<std::string> audit_warnings(const AuditedBed& real, const AuditedBed& simulated,
                                         const std::vector<GroupComparison>& groups) {
   std::vector<std::string> warnings;

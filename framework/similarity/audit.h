@@ -51,6 +51,10 @@ std::vector<GroupComparison> compare_groups(const AuditedBed& real, const Audite
 /// Only what the beds' own numbers give, as described by describe() in ratios.h.
 std::vector<GroupComparison> compare_groups(const similitude_bed& real, const similitude_bed& simulated);
 
+/// What the groups' symbols mean, with the real bed's values: "u0 = 1.309 m/s, mean superficial velocity; …". A line for the
+/// speeds and lengths, then one for each group among `groups` whose name does not say how it is made.
+std::vector<std::string> group_legend(const AuditedBed& real, const std::vector<GroupComparison>& groups, double gas_fraction_at_minimum);
+
 /// What a lost group or a count of diameters means in this bed, in words with its source. Thresholds that the real bed
 /// is beyond as well are not the scaling's doing and are left out.
 std::vector<std::string> audit_warnings(const AuditedBed& real, const AuditedBed& simulated,

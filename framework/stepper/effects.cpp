@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "particles/contact_effects.h"
+#include "loader/number_text.h"
 #include "scene/messages.h"
 #include "similarity/ratios.h"
 
@@ -84,7 +85,7 @@ similitude_relevance relevance_of(const EffectModel& model, const RealScene& sce
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::string words(const EffectVerdict& verdict, const similitude_relevance& relevance) {
-  const auto number = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.2g}", value); };
+  const auto number = [](double value) { return std::isnan(value) ? std::string("unknown") : two_digits(value); };
   std::string value = number(verdict.value);
   if (verdict.lowest < verdict.highest) value = number(verdict.lowest) + " ... " + number(verdict.highest);
   std::string line = fmt::format("{} = {}, needed {} {}", verdict.group, value, relevance.needed_below != 0 ? "below" : "above",

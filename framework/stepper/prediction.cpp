@@ -1,5 +1,6 @@
 #include "stepper/prediction.h"
 
+#include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -139,8 +140,13 @@ void calibrate(const Assembly& assembly, const TimeSteps& steps, double gas_step
 
 }  // namespace
 
+void predict_with_threads(int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
+}
+
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
   PredictedCost cost;
+  cost.threads = omp_get_max_threads();
   cost.particles = expected_particles(assembly.model);
   const auto gas_steps = static_cast<double>(steps.gas_steps_until(assembly.model.time.end));
   cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);

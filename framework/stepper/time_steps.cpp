@@ -66,17 +66,19 @@ TimeStepLimit contact_limit(const Assembly& assembly) {
     if (hard < limit.hard) limit.hard = hard, least_stable = impact.materials;
   }
   const auto& classes = assembly.model.particles;
+  const bool one_pair = classes.size() == 1 && assembly.contact.sets() == 1;
+  limit.hard_because = fmt::format("stability of the integrator in a packed bed, (sqrt(1 + 4 zeta^2) - 2 zeta)/omega_0 of {}",
+                                   one_pair ? "the lightest pair" : pair_name(classes, least_stable));
   if (limit.advised > k_share_of_stable * limit.hard) {
     limit.advised = k_share_of_stable * limit.hard;
     limit.because = "half of what is stable in a packed bed with contacts damped so heavily";
     return limit;
   }
-  if (classes.size() == 1 && assembly.contact.sets() == 1) {
+  if (one_pair) {
     limit.because = fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact);
     return limit;
   }
   limit.because = fmt::format("{} steps per contact of the quickest pair, {}", k_steps_per_contact, pair_name(classes, quickest));
-  if (!(least_stable == quickest)) limit.because += fmt::format("; hard: of {}", pair_name(classes, least_stable));
   return limit;
 }
 
@@ -91,8 +93,8 @@ void effect_limits(const Assembly& assembly, std::vector<TimeStepLimit>& limits)
       hard = std::min(hard, largest_stable_step_of(effect, {0, impact.effective_mass, impact.effective_radius, speed}));
     }
     if (!std::isfinite(hard)) continue;
-    limits.push_back({std::string("effect: ") + effect.descriptor().id, "explicit step of its contact pass", StepKind::particles,
-                      k_advised_share * hard, hard, false});
+    limits.push_back({std::string("effect: ") + effect.descriptor().id, "half of what is stable in its contact pass",
+                      StepKind::particles, k_advised_share * hard, hard, false, "stability of its explicit contact pass, as the effect says"});
   }
 }
 
@@ -118,7 +120,7 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
   if (assembly.coupled() && assembly.fluid_needs.any_courant_number == 0 && inlet > 0) {
     limits.push_back({"gas CFL", fmt::format("Courant number {} at {} times the fastest inlet", k_advised_courant, k_jet_overshoot),
                       StepKind::gas, k_advised_courant * smallest_spacing(scene) / (k_jet_overshoot * inlet),
-                      smallest_spacing(scene) / inlet, false});
+                      smallest_spacing(scene) / inlet, false, "Courant number 1 at the fastest inlet's own speed"});
   }
   if (assembly.fluid.functions().largest_stable_step != nullptr) {
     const double stable = assembly.fluid.functions().largest_stable_step(assembly.fluid.instance(), &assembly.grid->table());
@@ -127,7 +129,8 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
                         "This is for the plugin's author to mend. If the solver threw, its words stand above.");
     }
     if (std::isfinite(stable) && stable > 0) {
-      limits.push_back({"gas viscosity", "explicit viscous stress", StepKind::gas, stable / 2, stable, false});
+      limits.push_back({"gas viscosity", "half of what is stable with an explicit viscous stress", StepKind::gas, stable / 2, stable, false,
+                        "stability of the explicit viscous stress"});
     }
   }
   return limits;
@@ -152,7 +155,7 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
     if (step > limit.hard) {
       throw InputError(mark, path,
                        fmt::format("{:.3g} s is beyond the hard limit of {:.3g} s ({}: {})", step * to_real,
-                                   limit.hard * to_real, limit.name, limit.because),
+                                   limit.hard * to_real, limit.name, limit.hard_because),
                        fmt::format("Set {}: auto, or at most {:.3g} s.", path, limit.advised * to_real));
     }
     if (step > limit.advised * (1 + 1e-9)) {

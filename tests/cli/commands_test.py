@@ -88,7 +88,7 @@ class Check(CommandTest):
         done = self.command("check", self.write(SMALL), "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         page = json.loads(done.stdout)
-        self.assertEqual(set(page), {"pipeline", "fields", "time_steps", "effects", "predicted"})
+        self.assertEqual(set(page), {"pipeline", "fields", "bed", "time_steps", "effects", "predicted"})
         self.assertEqual(set(page["fields"][0]), {"name", "bytes_per_item", "items", "because"})
         self.assertTrue(any(limit["binding"] for limit in page["time_steps"]["limits"]))
         self.assertGreater(page["predicted"]["particle_steps"], 0)

@@ -69,7 +69,7 @@ TEST_F(ParticleFile, CsvErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(refusal("bed.csv", "x,y,height\n"),
             "bed.csv:1: expected a header with the column z, found \"x,y,height\".\n"
             "  The first line names the columns: x,y,z and any of vx,vy,vz,diameter (or radius),density.");
-  EXPECT_EQ(refusal("bed.csv", "x [mm],y,z\n"), "bed.csv:1: column \"x [mm]\" is read in [m] only.");
+  EXPECT_EQ(refusal("bed.csv", "x [mm],y,z\n"), "bed.csv:1: column \"x [mm]\" is read in [m] only.\n  Write x [m], or x alone, with values in metres.");
   EXPECT_EQ(refusal("bed.csv", ""), "bed.csv: expected a header x,y,z,…, but the file is empty.");
 }
 
