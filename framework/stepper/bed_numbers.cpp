@@ -31,6 +31,11 @@ double speed_of_sound(double density) {
   return std::max(k_sound_in_air, std::sqrt(k_heat_ratio * k_atmosphere / density));
 }
 
+/// How many spheres of a class's own diameter have the volume of all that are there; 0: unknown.
+double spheres_alike(const ParticleClass& species) {
+  return species.rows ? species.rows->volume : static_cast<double>(species.count.value_or(0));
+}
+
 double finite_or_nothing(double value) { return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN(); }
 
 // --------------------------------------------------------------------------------------------------- how deep grains press
@@ -105,7 +110,7 @@ void warn_of_soft_springs(const Assembly& assembly, std::vector<std::string>& wa
   warnings.push_back(warning(assembly.real.models.contact.mark, "models.contact",
                              what + fmt::format("; more than {:.0f} % means little, and a run stops at {:.0f} %.", 100 * k_overlap_to_warn,
                                                 100 * k_overlap_to_stop),
-                             fmt::format("Take contacts {} times as hard.", two_digits(harder))));
+                             fmt::format("Take contacts {} times as hard.", two_digits(std::ceil(10 * harder) / 10))));
 }
 
 }  // namespace
@@ -118,13 +123,14 @@ BedNumbers bed_numbers(const RealScene& scene) {
   double weight = 0;   // [N]
   for (const ParticleClass& species : scene.particles) {
     const SphereInGas sphere{species.drag_diameter, species.density, scene.gas_density, scene.gas_viscosity, bed.gravity};
-    ClassNumbers one{species.name, species.count ? static_cast<double>(*species.count) : 0, NAN, NAN};
-    if (scene.particles.size() == 1) one.count = bed.particle_count;
+    ClassNumbers one{species.name, static_cast<double>(species.rows ? species.rows->count : species.count.value_or(0)), NAN, NAN};
+    double alike = spheres_alike(species);
+    if (scene.particles.size() == 1 && scene.bed.height) one.count = alike = bed.particle_count;
     if (archimedes(sphere) > 0 && std::isfinite(archimedes(sphere))) {
       one.minimum_fluidisation = finite_or_nothing(minimum_fluidisation_ergun(sphere, gas_fraction));
       one.terminal_velocity = finite_or_nothing(terminal_velocity(sphere, schiller_naumann));
     }
-    weight += one.count * (species.density - scene.gas_density) * sphere_volume(species.diameter) * bed.gravity;
+    weight += alike * (species.density - scene.gas_density) * sphere_volume(species.diameter) * bed.gravity;
     numbers.classes.push_back(one);
   }
   numbers.pressure = weight / (scene.size[0] * scene.size[1]);
@@ -159,7 +165,7 @@ PredictedOverlap predicted_overlap(const Assembly& assembly) {
   for (const ParticleClass& species : scene.particles) {
     const double volume = sphere_volume(species.diameter);
     classes.push_back({species.density * volume, species.diameter / 2});
-    const double count = scene.particles.size() == 1 ? 1 : static_cast<double>(species.count.value_or(0));
+    const double count = scene.particles.size() == 1 ? 1 : spheres_alike(species);
     solids += count * volume;
     mass += count * volume * species.density;
   }

@@ -148,6 +148,10 @@ class ImpossibleBeds(CommandTest):
         seen = self.pressed_in("models.contact.stiffness=1 N/m", "models.contact.restitution=1")
         self.assertAlmostEqual(seen / (self.FALL * math.sqrt(self.MASS / 2 / 1) / 1e-3), 1, delta=0.05)
 
+    def test_contacts_as_hard_as_advised_are_hard_enough(self):
+        factor = re.search(r"\n  Take contacts (\S+) times as hard\.", self.check("models.contact.stiffness=2.5 N/m").stderr).group(1)
+        self.assertEqual(self.check(f"models.contact.stiffness={2.5 * float(factor)} N/m").stderr, "")
+
     def test_a_spring_that_the_weight_presses_in(self):
         done = self.pressed_in("models.contact.stiffness=0.1 N/m", "models.contact.restitution=1")
         self.assertAlmostEqual(done / (self.LOAD / 0.1 / 1e-3), 1, delta=0.05)
