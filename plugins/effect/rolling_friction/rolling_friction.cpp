@@ -5,8 +5,7 @@
 namespace {
 using namespace similitude;
 
-constexpr double k_settled_packing = 0.58;   // [-], of poured, frictional spheres
-constexpr double k_neighbours = 12;          // at most, of a sphere among equal ones
+constexpr double k_neighbours = 12;   // at most, of a sphere among equal ones
 
 /// Resistance against rolling, of spheres that are not quite round. Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206, 269:
 /// model A (constant torque) and model C (elastic-plastic spring-dashpot, EPSD).
