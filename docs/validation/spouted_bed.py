@@ -3,12 +3,16 @@ profiles.csv. Intervals are 95 %, of block averages.
 """
 import csv
 import math
+import pathlib
+import sys
 
 from runs import run_of, table, what_was_run
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from student_t import NORMAL, reach_95   # noqa: E402
+
 CASES = ["terminal_velocity", "glicksman", "parcel", "link", "exact"]
 SAMPLER = "vertical_velocity [m/s]"
-NORMAL = 1.96      # 95 %, many blocks
 FEW_BLOCKS = 5.0   # below, a standard error means nothing
 
 
@@ -23,7 +27,8 @@ def profiles_of(run):
             mean, error = (float(row[name] or "nan") for name in ("mean", "standard error"))
             if row["sampler"] != SAMPLER or not math.isfinite(mean):
                 continue
-            half = NORMAL * error if math.isfinite(error) and float(row["blocks"]) >= FEW_BLOCKS else math.nan
+            blocks = float(row["blocks"])
+            half = reach_95(blocks - 1) * error if math.isfinite(error) and blocks >= FEW_BLOCKS else math.nan
             profiles.setdefault(float(row["z"]), []).append((float(row["x"]), mean, half))
     return profiles
 

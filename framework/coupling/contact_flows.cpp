@@ -35,14 +35,15 @@ bool ContactFlows::wanted(const ScalarPlan& plan) {
 ContactFlows::ContactFlows(const ModelScene& scene, const ScalarPlan& plan)
     : scene_(scene), plan_(plan), surfaces_(scene), received_(plan.particles.size()), from_walls_(plan.particles.size(), 0.0) {}
 
-/// One contact as the block's next row; false if the partners have parted since they were listed.
+/// One contact as the block's next row; false if nothing can flow: a plate, or partners that have parted since they were listed.
 bool ContactFlows::gather(Block& b, const ParticleStore& particles, std::uint32_t owner, std::uint32_t partner) const {
   const std::size_t n = b.count;
   const Row &x = particles.position[owner], &v = particles.velocity[owner];
   const bool wall = (partner & ContactLists::k_surface_key) != 0;
   if (wall) {
+    const std::uint32_t surface = partner & ~ContactLists::k_surface_key;
     SurfaceTouch touch;
-    if (!surfaces_.nearest(partner & ~ContactLists::k_surface_key, x, touch)) return false;
+    if (surfaces_.is_baffle(surface) || !surfaces_.nearest(surface, x, touch)) return false;   // plates are closed, for the gas's scalars too
     b.overlap[n] = x.w - touch.distance;
     for (std::size_t axis = 0; axis < 3; ++axis) b.normal[axis][n] = touch.normal[axis];
     b.radius_j[n] = std::numeric_limits<double>::infinity();

@@ -148,7 +148,7 @@ void Coupling::Parts::deposit_sizes(const ParticleStore& particles) {
   deposit.spread(
       particles.position,
       [&](std::size_t p) {
-        const double d = drag.drag_diameter(particles, p), solids = drag.displaced_volume(particles, p);
+        const double d = drag.diameter_of(particles, p), solids = drag.displaced_volume(particles, p);
         return Row{solids, solids / d, 0, 0};   // pi/6 of the sums of d^3 and d^2
       },
       sizes);

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include <similitude/sphere.h>
-
 #include "coupling/block_failure.h"
+#include "coupling/seen_by_gas.h"
 #include "fluid/staggered.h"
 #include "particles/contact_effects.h"
 
@@ -50,10 +49,9 @@ void EffectPass::apply_block(std::size_t block, ParticleStore& particles, double
   };
   for (std::size_t n = 0; n < padded; ++n) {
     const std::size_t p = first + std::min(n, rows - 1);   // padding repeats the last particle
-    const ParticleClass& species = classes_[particles.species[p]];
-    const double d = species.drag_diameter;
-    column(k_diameter)[n] = d;
-    column(k_mass)[n] = species.density * sphere_volume(d);
+    const ParticleClass& type = classes_[particles.species[p]];
+    column(k_diameter)[n] = drag_diameter(type, particles, p);
+    column(k_mass)[n] = physical_mass(type, particles, p);
     column(k_vx)[n] = particles.velocity[p].x;
     column(k_vy)[n] = particles.velocity[p].y;
     column(k_vz)[n] = particles.velocity[p].z;

@@ -34,7 +34,7 @@ ExchangeCoefficient::ExchangeCoefficient(const ModelScene& scene, const CellMap&
 }
 
 double ExchangeCoefficient::displaced_volume(const ParticleStore& particles, std::size_t p) const {
-  return classes_[particles.species[p]].weight * sphere_volume(drag_diameter(particles, p));
+  return classes_[particles.species[p]].weight * sphere_volume(diameter_of(particles, p));
 }
 
 void ExchangeCoefficient::evaluate_block(std::size_t block, ParticleStore& particles, const CellRows& gas,
@@ -50,7 +50,7 @@ void ExchangeCoefficient::evaluate_block(std::size_t block, ParticleStore& parti
     const Row at = gather(stencil, gas);
     const Row& v = particles.velocity[p];
     const double dx = at.x - v.x, dy = at.y - v.y, dz = at.z - v.z;
-    column(k_diameter)[n] = drag_diameter(particles, p);
+    column(k_diameter)[n] = diameter_of(particles, p);
     column(k_gas_fraction)[n] = std::min(at.w, 1.0);   // weights sum to one only to rounding, and laws take sqrt(1 - eps)
     column(k_slip_speed)[n] = std::sqrt(dx * dx + dy * dy + dz * dz);
     column(k_gas_density)[n] = gas_density_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "coupling/cell_map.h"
+#include "coupling/seen_by_gas.h"
 #include "loader/catalogue.h"
 #include "particles/store.h"
 #include "scene/scene.h"
@@ -24,11 +25,9 @@ class ExchangeCoefficient {
   /// if the law needs the Sauter diameter. Throws SimulationError with the law's own words, or when K is not a number >= 0.
   void evaluate(ParticleStore& particles, const CellRows& gas, const CellRows& sizes);
 
-  /// [m], what the drag law sees of particle row p: its class's drag diameter; a particle that is larger or smaller than its
-  /// class scales with it.
-  double drag_diameter(const ParticleStore& particles, std::size_t p) const {
-    const ParticleClass& type = classes_[particles.species[p]];
-    return type.drag_diameter * (2 * particles.position[p].w / type.diameter);
+  /// [m], what the drag law sees of particle row p.
+  double diameter_of(const ParticleStore& particles, std::size_t p) const {
+    return drag_diameter(classes_[particles.species[p]], particles, p);
   }
   /// [m^3], that row p displaces: all physical particles it stands for.
   double displaced_volume(const ParticleStore& particles, std::size_t p) const;

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <similitude/sphere.h>
-
 #include "coupling/block_failure.h"
 #include "coupling/cell_map.h"
 #include "coupling/deposit.h"
+#include "coupling/seen_by_gas.h"
 #include "coupling/smoothing.h"
 #include "fluid/scalar_transport.h"
 
@@ -84,10 +83,6 @@ struct ScalarExchange::Parts {
   double at_particle(const ParticleStore& particles, std::size_t p, std::size_t scalar) const {
     return part_of(gather(map.stencil(particles.position[p]), at_cells[scalar / k_values_to_a_row]), scalar % k_values_to_a_row);
   }
-  double drag_diameter(const ParticleStore& particles, std::size_t p) const {
-    const ParticleClass& type = scene.particles[particles.species[p]];
-    return type.drag_diameter * (2 * particles.position[p].w / type.diameter);
-  }
 
   void spread_to_particles(const std::vector<const double*>& fields);
   void pass(Phase phase, std::size_t effect, ParticleStore& particles, const Column<double>& gas_fraction, double dt);
@@ -136,11 +131,10 @@ void ScalarExchange::Parts::block(Phase phase, std::size_t number, std::size_t f
 
   for (std::size_t n = 0; n < padded; ++n) {
     const std::size_t p = first + std::min(n, count - 1);   // padding repeats the last particle
-    const ParticleClass& species = scene.particles[particles.species[p]];
-    const double d = drag_diameter(particles, p);
+    const ParticleClass& type = scene.particles[particles.species[p]];
     const Row &v = particles.velocity[p], &u = particles.gas[p];
-    work.column(Workspace::diameter)[n] = d;
-    work.column(Workspace::mass)[n] = species.density * sphere_volume(d);
+    work.column(Workspace::diameter)[n] = drag_diameter(type, particles, p);
+    work.column(Workspace::mass)[n] = physical_mass(type, particles, p);
     work.column(Workspace::fraction)[n] = gather(map.stencil(particles.position[p]), rows).w;
     work.column(Workspace::slip)[n] = std::sqrt((u.x - v.x) * (u.x - v.x) + (u.y - v.y) * (u.y - v.y) + (u.z - v.z) * (u.z - v.z));
     work.column(Workspace::density)[n] = scene.gas_density;

@@ -22,6 +22,14 @@ struct Push {
   }
 };
 
+/// Shows what it is told of a particle.
+struct Echo {
+  template <class V>
+  Addition<V> particles(const Particle<V>& p) const {
+    return {.force = {p.mass, V(0), V(0)}, .linear_coefficient = p.diameter};
+  }
+};
+
 struct Refusal {
   template <class V>
   Addition<V> particles(const Particle<V>&) const {
@@ -51,6 +59,27 @@ TEST(EffectPass, AddsForceAndResistanceOfAllParticlesOfAParcel) {
     EXPECT_EQ(particles.stress_force[p].z, before.stress_force[p].z);
     EXPECT_DOUBLE_EQ(particles.gas[p].w, before.gas[p].w + 8 * k_linear);
   }
+}
+
+// A bed from a file gives every row a size and a density: twice the size of its class and three times its density.
+TEST(EffectPass, SeesAParticlesOwnDiameterAndMass) {
+  ModelScene scene = small_scene();
+  scene.particles[0].weight = 8;
+  scene.particles[0].drag_diameter = scene.particles[0].diameter / 2;
+  const Grid grid(scene);
+  const EffectInHand<Echo> echo;
+  ParticleStore particles = scattered(scene, 10);
+  const double mass = particles.velocity[4].w;
+  particles.position[4].w *= 2;
+  particles.velocity[4].w *= 24;
+  const ParticleStore before = particles;
+  EffectPass(scene, grid, echo.model).apply(particles, Column<double>(grid.cell_count(), 0.7), k_gas_dt);
+  const auto mass_seen = [&](std::size_t p) { return (particles.stress_force[p].x - before.stress_force[p].x) / 8; };
+  const auto diameter_seen = [&](std::size_t p) { return (particles.gas[p].w - before.gas[p].w) / 8; };
+  EXPECT_DOUBLE_EQ(mass_seen(3), mass / 8);
+  EXPECT_DOUBLE_EQ(mass_seen(4), 24 * mass / 8);
+  EXPECT_DOUBLE_EQ(diameter_seen(3), scene.particles[0].diameter / 2);
+  EXPECT_DOUBLE_EQ(diameter_seen(4), scene.particles[0].diameter);
 }
 
 // What the gas was not charged for stands in drag_impulse after the sub-steps, and settle_accounts() makes it a debt.

@@ -125,6 +125,20 @@ TEST(Heat, HeatsASphereExponentially) {
   EXPECT_NEAR(bed.particle(0), 400 - 100 * std::pow(1 + 1.0 / k_steps, -k_steps), 1e-9);  // and no other error
 }
 
+// The same for a row with a diameter and a density of its own: tau = m c / (2 pi d k), and the books count its mass.
+TEST(Heat, HeatsASphereThatIsNotLikeItsClass) {
+  Bed bed(hot_scene(400, 300), heat(), false);
+  const double diameter = 2 * k_diameter, mass = 24 * sphere_mass();   // three times the density
+  bed.particles.add(0, 0, 5e-3, 4e-3, 8e-3, diameter / 2, mass);
+  bed.start();
+  const double tau = mass * k_heat_capacity / (2 * std::numbers::pi * diameter * k_gas_conductivity);
+  constexpr int k_steps = 1000;
+  for (int n = 0; n < k_steps; ++n) bed.advance(tau / k_steps);
+  const double rise = 100 * (1 - std::pow(1 + 1.0 / k_steps, -k_steps));
+  EXPECT_NEAR(bed.particle(0) - 300, rise, 1e-9 * rise);
+  EXPECT_NEAR(bed.exchange.particle_amount(0, bed.particles), mass * k_heat_capacity * rise, 1e-9 * mass * k_heat_capacity * rise);
+}
+
 TEST(Heat, NeverOvershootsHoweverLongTheStep) {
   Bed bed(hot_scene(400, 300), heat(), false);
   bed.add(5e-3, 4e-3, 8e-3);
@@ -212,6 +226,34 @@ TEST(Heat, FlowsFromAHotWallAndNotFromAnInsulatedOne) {
   const double circle = std::sqrt(1e-3 * k_diameter * k_diameter / 2);
   EXPECT_NEAR(heated(true), 4 * k_conductivity * circle * 200, 1e-6 * 4 * k_conductivity * circle * 200);
   EXPECT_EQ(heated(false), 0);
+}
+
+// A plate has no temperature: neither for the gas nor for what lies on it.
+TEST(Heat, DoesNotFlowFromABaffle) {
+  ModelScene scene = hot_scene(300, 300);
+  scene.wall_values = {given("temperature", 500)};
+  Baffle plate;
+  plate.name = "plate";
+  plate.normal = Axis::x;
+  plate.position = 6e-3;
+  plate.extent = {Interval{6e-3, 6e-3}, Interval{0, scene.size[1]}, Interval{0, scene.size[2]}};
+  scene.baffles = {plate};
+  Bed bed(scene, heat(), false);
+  bed.add(6e-3 + 0.499 * k_diameter, 4e-3, 8e-3);
+  bed.start();
+  const Surfaces surfaces(scene);
+  std::uint32_t baffle = 0;
+  while (!surfaces.is_baffle(baffle)) ++baffle;
+  SurfaceTouch touch;
+  ASSERT_TRUE(surfaces.nearest(baffle, bed.particles.position[0], touch));
+  ASSERT_LT(touch.distance, bed.particles.position[0].w);
+  ContactFlows flows(bed.scene, bed.plan);
+  TouchingContacts touching;
+  touching.owner = {0};
+  touching.partner = {ContactLists::k_surface_key | baffle};
+  flows.apply(bed.particles, touching, 1e-3);
+  EXPECT_EQ(bed.particle(0), 300);
+  EXPECT_EQ(flows.from_walls()[0], 0);
 }
 
 TEST(Heat, SaysWhatACaseMustGive) {

@@ -127,6 +127,7 @@ TEST(RandomScenes, RunOrSayHonestlyWhyNot) {
     }
     if (journal != nullptr && !HasFailure()) std::ofstream(journal, std::ios::app) << seed << "\n";
   }
+  EXPECT_LE(stopped, static_cast<int>(scenes) / 20);   // of seeds 1 to 200 none was: these scenes are ordinary
   if (journal != nullptr && !HasFailure()) std::filesystem::remove(journal);
   std::printf("  seeds %llu to %llu, %d stopped by a guard\n", static_cast<unsigned long long>(first),
               static_cast<unsigned long long>(first + scenes - 1), stopped);
