@@ -33,16 +33,22 @@ def seconds(value):
     return f"{value / 60:.3g} min" if value < 7200 else f"{value / 3600:.3g} h"
 
 
+def two_digits(value):
+    """170, not 1.7e+02."""
+    rounded = float(f"{value:.2g}")
+    return f"{rounded:.0f}" if abs(rounded) >= 100 else f"{value:.2g}"
+
+
 def error_words(error):
     """As the command says it: 6 ± 4 %, 0 to 5 %."""
     if not known(error.get("value")):
         return "none"
     at_least = "at least " if error["lower_bound"] else ""
     if error["low"] <= 0 < error["high"]:
-        return f"0 to {at_least}{100 * error['high']:.2g} %"
+        return f"0 to {at_least}{two_digits(100 * error['high'])} %"
     if error["high"] == error["low"]:
-        return f"{100 * error['value']:.2g} %"
-    return f"{100 * error['value']:.2g} ± {at_least}{50 * (error['high'] - error['low']):.2g} %"
+        return f"{two_digits(100 * error['value'])} %"
+    return f"{two_digits(100 * error['value'])} ± {at_least}{two_digits(50 * (error['high'] - error['low']))} %"
 
 
 def shown_cases(study):

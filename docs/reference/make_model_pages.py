@@ -64,7 +64,7 @@ def range_of(row):
 def meaning_of(row):
     words = row["doc"]
     if row["scales_as"]:
-        words += f" Scales as a {row['scales_as']}."
+        words = words.rstrip(".") + f". Scales as a {row['scales_as']}."
     if row["reference"]:
         words += f" ({row['reference']})"
     return words.replace("|", "\\|")
@@ -72,7 +72,7 @@ def meaning_of(row):
 
 def parameter_table(rows):
     if not rows:
-        return ""
+        return "None."
     lines = ["| parameter | unit | default | range | meaning |", "|---|---|---|---|---|"]
     for row in rows:
         unit = row["unit"] if row["type"] in ("real", "integer") else ""
@@ -90,8 +90,10 @@ def page_of(plugin):
     paragraphs = body.split("\n\n")
     place = next(i for i, p in enumerate(paragraphs) if p.startswith(paragraph_start("Parameters")))
     table = parameter_table(plugin["parameters"])
-    if table:
+    if plugin["parameters"]:
         paragraphs.insert(place + 1, table.rstrip("\n"))
+    elif paragraphs[place] == paragraph_start("Parameters"):
+        paragraphs[place] += " " + table
     head = f"# {plugin['id']}\n\n*{KINDS[plugin['kind']]}. {plugin['title']}. Version {plugin['version']}.*\n\n"
     return head + "\n\n".join(paragraphs) + "\n\n" + FOOT.format(**plugin)
 

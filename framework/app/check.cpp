@@ -6,8 +6,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "loader/number_text.h"
+#include "particles/bed_file.h"
+#include "stepper/bed_numbers.h"
 #include "stepper/inspection.h"
 #include "stepper/prediction.h"
 
@@ -19,6 +23,7 @@ constexpr double k_shown_share = 0.02;   // stages that cost less are not worth 
 struct CheckArguments {
   std::string case_file;
   std::vector<std::string> overrides;
+  int threads = 0;
   bool json = false;
 };
 
@@ -31,6 +36,7 @@ struct Inspection {
   std::vector<PairUse> pairs;
   std::vector<EffectVerdict> effects;
   PredictedCost cost;
+  BedNumbers bed;
 };
 
 const char* verdict_word(int verdict) {
@@ -40,6 +46,19 @@ const char* verdict_word(int verdict) {
 
 nlohmann::json number_or_null(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json as_json(const BedNumbers& bed) {
+  nlohmann::json page{{"classes", nlohmann::json::array()},
+                      {"weight_Pa", bed.pressure},
+                      {"height_m", bed.height},
+                      {"cell_per_diameter", bed.cell_over_diameter}};
+  for (const ClassNumbers& one : bed.classes)
+    page["classes"].push_back({{"name", one.name},
+                               {"count", one.count},
+                               {"u_mf_m_per_s", number_or_null(one.minimum_fluidisation)},
+                               {"u_t_m_per_s", number_or_null(one.terminal_velocity)}});
+  return page;
 }
 
 nlohmann::json as_json(const Inspection& seen) {
@@ -55,6 +74,7 @@ nlohmann::json as_json(const Inspection& seen) {
     nlohmann::json& one = page["contact_pairs"][pair.pair] = nlohmann::json::object();
     for (const auto& [name, value] : pair.parameters) one[name] = value;
   }
+  page["bed"] = as_json(seen.bed);
   page["time_steps"] = {{"dt", seen.steps.dt * to_real},
                         {"gas_dt", seen.steps.gas_dt() * to_real},
                         {"limits", nlohmann::json::array()}};
@@ -63,7 +83,9 @@ nlohmann::json as_json(const Inspection& seen) {
                                             {"step", limit.kind == StepKind::gas ? "gas_dt" : "dt"},
                                             {"advised", number_or_null(limit.advised * to_real)},
                                             {"hard", number_or_null(limit.hard * to_real)},
-                                            {"binding", limit.binding}});
+                                            {"binding", limit.binding},
+                                            {"because", limit.because},
+                                            {"hard_because", limit.hard_because}});
   }
   page["effects"] = nlohmann::json::array();
   for (const EffectVerdict& effect : seen.effects) {
@@ -79,6 +101,7 @@ nlohmann::json as_json(const Inspection& seen) {
                                {"predicted_wall_s", number_or_null(effect.predicted_wall_s)}});
   }
   page["predicted"] = {{"particle_steps", seen.cost.particle_steps},
+                       {"threads", seen.cost.threads},
                        {"wall_s", number_or_null(seen.cost.wall_s)},
                        {"stages", nlohmann::json::array()}};
   for (const StageTime& stage : seen.cost.stages)
@@ -94,6 +117,7 @@ std::string bed_line(const Scene<Bed>& scene, const TimeSteps& steps, double tim
   for (const ParticleClass& species : scene.particles) {
     line += fmt::format(", {} {:.4g} mm and {:.4g} kg/m^3", species.name, 1e3 * species.diameter, species.density);
     if (species.count) line += fmt::format(" x {}", *species.count);
+    if (species.rows) line += fmt::format(" x {} of the file", species.rows->count);
   }
   return line;
 }
@@ -103,6 +127,7 @@ void print(const Inspection& seen, std::ostream& out) {
   out << seen.assembly.real.title << "\n";
   out << "  real bed       " << bed_line(seen.assembly.real, seen.steps, seen.assembly.results.time) << "\n";
   out << "  simulated bed  " << bed_line(seen.assembly.model, seen.steps, 1) << "\n";
+  if (!seen.bed.classes.empty()) out << "  bed            " << in_words(seen.bed) << "\n";
   if (!seen.pairs.empty()) out << "\ncontacts by pairs of materials, where they differ (real bed)\n";
   for (const PairUse& pair : seen.pairs) {
     out << fmt::format("  {:<30}", pair.pair);
@@ -119,20 +144,20 @@ void print(const Inspection& seen, std::ostream& out) {
   out << fmt::format("{:<32}{:>12}{:>12}   {}\n", "limit", "advised [s]", "hard [s]", "because");
   for (const TimeStepLimit& limit : seen.steps.limits) {
     out << fmt::format("{:<32}{:>12.3g}{:>12.3g} {} {}\n", limit.name, limit.advised * to_real, limit.hard * to_real,
-                       limit.binding ? "*" : " ", limit.because);
+                       limit.binding ? "*" : " ", limit.because + (limit.hard_because.empty() ? "" : "; hard: " + limit.hard_because));
   }
   out << fmt::format("\n{:<24}{:<14}{:<9}{:>10}  {}\n", "effect", "verdict", "in case", "price [s]", "because");
   if (seen.effects.empty()) out << "  no effect plugin is installed\n";
   for (const EffectVerdict& effect : seen.effects) {
     out << fmt::format("{:<24}{:<14}{:<9}{:>10}  {}\n", effect.id, verdict_word(effect.verdict), effect.chosen ? "yes" : "no",
-                       std::isfinite(effect.predicted_wall_s) ? fmt::format("{:.2g}", effect.predicted_wall_s) : "-", effect.because);
+                       std::isfinite(effect.predicted_wall_s) ? two_digits(effect.predicted_wall_s) : "-", effect.because);
   }
   out << fmt::format("\npredicted: {} particles, {:.3g} particle-steps, ", seen.cost.particles, seen.cost.particle_steps);
   if (!seen.cost.gap.empty()) {
     out << "no wall time, since the calibration stopped: " << seen.cost.gap << "\n";
     return;
   }
-  out << seconds_text(seen.cost.wall_s) << " of wall time on this machine, of which\n";
+  out << seconds_text(seen.cost.wall_s) << fmt::format(" of wall time on this machine with {} thread{}, of which\n", seen.cost.threads, seen.cost.threads == 1 ? "" : "s");
   std::vector<StageTime> stages = seen.cost.stages;
   std::stable_sort(stages.begin(), stages.end(), [](const StageTime& a, const StageTime& b) { return a.seconds > b.seconds; });
   for (const StageTime& stage : stages)
@@ -141,13 +166,17 @@ void print(const Inspection& seen, std::ostream& out) {
 
 int check(const CheckArguments& arguments) {
   const Catalogue plugins = catalogue_for(arguments.case_file);
-  const CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  CaseFile case_file = read_case(arguments.case_file, plugins, arguments.overrides);
+  read_bed_rows(case_file.scene);
   Inspection seen;
   seen.assembly = assemble(case_file.scene, plugins);
+  seen.bed = bed_numbers(seen.assembly.real);
   seen.steps = choose_time_steps(seen.assembly);
   for (const std::string& warning : case_file.warnings) std::cerr << "warning: " << warning << "\n";
   for (const std::string& warning : seen.assembly.warnings) std::cerr << "warning: " << warning << "\n";
   for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : bed_warnings(seen.assembly)) std::cerr << "warning: " << warning << "\n";
+  predict_with_threads(arguments.threads);
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);
   seen.pairs = pair_uses(seen.assembly);
@@ -168,6 +197,7 @@ void add_check(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("check", "Validate a case; print both beds, pipeline, fields, limits, effects and cost.");
   command->add_option("CASE", arguments->case_file, "case file (YAML)")->required();
   command->add_option("--set", arguments->overrides, "change a value of the case: key=value")->allow_extra_args(false);
+  add_threads_option(*command, arguments->threads, "threads that the predicted time is of (default: all cores)");
   command->add_flag("--json", arguments->json, "for other programs");
   command->callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 }

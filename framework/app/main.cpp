@@ -1,6 +1,7 @@
 #include <iostream>
 #include <new>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/waiting_threads.h"
 #include "output/whole_file.h"
@@ -44,7 +45,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? k_done : k_wrong_input;
+    if (error.get_exit_code() == 0) return app.exit(error);   // --help, --version
+    std::cerr << "error: " << similitude::app::command_line_error(app, error, argc, argv) << "\n";
+    return k_wrong_input;
   }
 
   try {

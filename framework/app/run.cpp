@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/write_report_after.h"
 #include "particles/errors.h"
@@ -56,8 +57,7 @@ void add_run(CLI::App& app, Action& action, const std::string& command_line) {
   command->add_option("--set", arguments->overrides, "change a value of the case: key=value, e.g. models.drag=gidaspow")
       ->allow_extra_args(false);
   command->add_option("--until", arguments->until, "stop at this time of the real bed, e.g. \"0.2 s\"");
-  command->add_option("--threads", arguments->threads, "threads (default: all cores); the results are the same bits")
-      ->check(CLI::PositiveNumber);
+  add_threads_option(*command, arguments->threads, "threads (default: all cores); the results are the same bits");
   CLI::Option* force = command->add_flag("--force", arguments->force, "replace an earlier run in the folder");
   command->add_flag("--resume", arguments->resume, "go on from the newest checkpoint in the folder: the same results as without a break")
       ->excludes(force);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/command_line.h"
 #include "app/commands.h"
 #include "app/text_table.h"
 #include "stepper/comparison.h"
+#include "stepper/prediction.h"
 
 namespace similitude::app {
 namespace {
@@ -15,6 +17,7 @@ struct ScaleArguments {
   std::string case_file;
   std::vector<std::string> overrides, laws;
   double speedup = 0;
+  int threads = 0;
   bool json = false, markdown = false;
 };
 
@@ -159,10 +162,12 @@ void print(const Comparison& comparison, std::ostream& out) {
     print_table(table_of({all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last)}), out);
   }
   out << "\n";
+  for (const std::string& line : comparison.legend) out << line << "\n";
+  out << "\n";
   print_words(comparison, "", out);
-  out << fmt::format("\nWall times are for this machine: {:.3g} M particle-steps/s, {:.3g} ms per gas step and {:.3g} ns per particle in it, measured with the "
+  out << fmt::format("\nWall times are for this machine with {} thread{}: {:.3g} M particle-steps/s, {:.3g} ms per gas step and {:.3g} ns per particle in it, measured with the "
                      "case's own law.\n",
-                     1e-6 * comparison.particle_steps_per_s, 1e3 * comparison.gas_step_s, 1e9 * comparison.exchange_s);
+                     comparison.threads, comparison.threads == 1 ? "" : "s", 1e-6 * comparison.particle_steps_per_s, 1e3 * comparison.gas_step_s, 1e9 * comparison.exchange_s);
 }
 
 void print_as_markdown(const Comparison& comparison, std::ostream& out) {
@@ -170,6 +175,8 @@ void print_as_markdown(const Comparison& comparison, std::ostream& out) {
       << fmt::format("u_mf at a gas fraction of {:.4g}.\n\n", comparison.gas_fraction_at_minimum);
   const std::vector<const Strategy*> all = with_beds(comparison);
   if (!all.empty()) print_markdown(table_of(all), out);
+  out << "\n";
+  for (const std::string& line : comparison.legend) out << "* " << line << "\n";
   out << "\n";
   print_words(comparison, "* ", out);
 }
@@ -187,6 +194,7 @@ Comparison comparison_of(const ScaleArguments& arguments, const CaseAsTyped& typ
 
 int scale(const ScaleArguments& arguments) {
   const Catalogue plugins = catalogue_for(arguments.case_file);
+  predict_with_threads(arguments.threads);
   const Comparison comparison = comparison_of(arguments, {arguments.case_file, arguments.overrides, plugins});
   if (arguments.json) {
     std::cout << as_json(comparison).dump(2) << "\n";
@@ -213,6 +221,7 @@ void add_scale(CLI::App& app, Action& action) {
                    "propose of each law the choice that needs so many times fewer particle-steps, and what it gives up")
       ->excludes(laws);
   command->add_option("--set", arguments->overrides, "change a value of the case: key=value")->allow_extra_args(false);
+  add_threads_option(*command, arguments->threads, "threads that the wall times are of (default: all cores)");
   CLI::Option* json = command->add_flag("--json", arguments->json, "for other programs");
   command->add_flag("--markdown", arguments->markdown, "for a report")->excludes(json);
   command->footer("Laws not asked for by --law stand with these choices: the case's own as written; a bed of a quarter the size\n"

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/text_table.h"
 #include "app/write_report_after.h"
+#include "loader/number_text.h"
 #include "scene/messages.h"
 
 namespace similitude::app {
@@ -70,8 +71,8 @@ void print(const StudyPlan& plan, const StudyResult& result, std::ostream& out) 
   out << "\n";
   print_gaps(plan, result, out);
   for (const FrontierStep& step : result.frontier.steps)
-    out << fmt::format("{} -> {}: {} x the time, {:+.2g} % of error{}\n", step.from, step.to,
-                       ratio_text(step.time_ratio), 100 * step.error_change,
+    out << fmt::format("{} -> {}: {} x the time, {}{} % of error{}\n", step.from, step.to,
+                       ratio_text(step.time_ratio), step.error_change < 0 ? "" : "+", two_digits(100 * step.error_change),
                        step.distinguishable ? "" : ", not distinguishable");
   for (const StudyOrder& order : result.orders) {
     if (order.order.known())

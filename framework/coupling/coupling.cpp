@@ -1,7 +1,8 @@
 #include "coupling/coupling.h"
 
 #include <algorithm>
-#include <numbers>
+
+#include <similitude/sphere.h>
 
 #include "coupling/cell_map.h"
 #include "coupling/deposit.h"
@@ -80,8 +81,6 @@ void write_columns(const CellRows& rows, double factor, Column<double>& columns)
   }
 }
 
-double volume_of_radius(double radius) { return 4.0 / 3 * std::numbers::pi * (radius * radius * radius); }
-
 }  // namespace
 
 struct Coupling::Parts {
@@ -131,7 +130,7 @@ void Coupling::Parts::deposit_solids(const ParticleStore& particles, Column<doub
       [&](std::size_t p) {
         const Row& received_less_charged = particles.drag_impulse[p];
         return Row{-received_less_charged.x, -received_less_charged.y, -received_less_charged.z,
-                   volume_of_radius(particles.position[p].w)};
+                   sphere_volume(2 * particles.position[p].w)};
       },
       solids);
   smoothing.apply(solids);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include <similitude/sphere.h>
+
 #include "doctor/suites.h"
 #include "doctor/trial_values.h"
 
@@ -105,7 +107,7 @@ constexpr std::size_t k_walls_every = 7;   // of the contacts
 
 double sphere_mass() {
   const similitude_bed bed = trial_bed();
-  return bed.particle_density * 3.14159265358979323846 / 6 * std::pow(bed.particle_diameter, 3);
+  return bed.particle_density * sphere_volume(bed.particle_diameter);
 }
 
 void check(const similitude_status& status) {

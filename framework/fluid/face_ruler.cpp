@@ -18,8 +18,8 @@ int face_number(double position, double cell) { return static_cast<int>(std::lro
 
 }  // namespace
 
-FaceRuler::FaceRuler(const std::array<double, 3>& size, const std::array<double, 3>& cell)
-    : size_(size), cell_(cell), cells_{} {
+FaceRuler::FaceRuler(const std::array<double, 3>& size, const std::array<double, 3>& cell, double diameter)
+    : size_(size), cell_(cell), diameter_(diameter), cells_{} {
   for (int axis = 0; axis < 3; ++axis) {
     const double length = size_[at(axis)], spacing = cell_[at(axis)];
     const Aligned end = align(length, spacing);
@@ -46,7 +46,7 @@ CellRange FaceRuler::range(int axis, Interval interval, const SourceMark& mark, 
                      inside.low < inside.high ? "Use " + interval_in_mm(inside) + "." : "Move it inside.");
   }
   if (!low.ok || !high.ok) {
-    throw InputError(mark, path, off_face_text(low.ok ? interval.high : interval.low, cell), off_face_fix(interval, cell));
+    throw InputError(mark, path, off_face_text(low.ok ? interval.high : interval.low, cell), off_face_fix(interval, cell, diameter_));
   }
   return {face_number(interval.low, cell), face_number(interval.high, cell)};
 }
@@ -58,7 +58,7 @@ int FaceRuler::interior_face(int axis, double position, const SourceMark& mark, 
     throw InputError(mark, path, in_mm(position) + " is not inside the domain (0 mm to " + in_mm(length) + ").",
                      "Move it inside: the sides of the domain are walls already.");
   }
-  if (!near.ok) throw InputError(mark, path, off_face_text(position, cell), off_face_fix(position, cell));
+  if (!near.ok) throw InputError(mark, path, off_face_text(position, cell), off_face_fix(position, cell, diameter_));
   return face_number(position, cell);
 }
 

@@ -15,8 +15,8 @@ struct CellRange {
 
 class FaceRuler {
  public:
-  /// Throws if the domain is not a whole number of cells.
-  FaceRuler(const std::array<double, 3>& size, const std::array<double, 3>& cell);
+  /// Throws if the domain is not a whole number of cells. Cells below `diameter` [m], that of the largest particles, are never advised.
+  FaceRuler(const std::array<double, 3>& size, const std::array<double, 3>& cell, double diameter = 0);
 
   int cells(int axis) const { return cells_[static_cast<std::size_t>(axis)]; }
   /// The cells that an interval covers. `owner` is what it must not stick out of: "the bottom face", "the domain".
@@ -26,6 +26,7 @@ class FaceRuler {
 
  private:
   std::array<double, 3> size_, cell_;
+  double diameter_;
   std::array<int, 3> cells_;
 };
 

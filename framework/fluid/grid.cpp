@@ -91,7 +91,7 @@ similitude_patch patch_row(const Patch& patch, const std::string& name) {
 
 template <class Bed>
 Grid::Grid(const Scene<Bed>& scene) {
-  const FaceRuler ruler(scene.size, scene.cell);
+  const FaceRuler ruler(scene.size, scene.cell, largest_diameter(scene));
   table_.struct_size = sizeof(similitude_grid);
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t a = static_cast<std::size_t>(axis);

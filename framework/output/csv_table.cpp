@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 
+#include "scene/input_file.h"
 #include "scene/messages.h"
 #include "scene/section.h"
 
@@ -37,6 +38,7 @@ std::string place(const std::filesystem::path& file, std::size_t row) {
 }  // namespace
 
 CsvTable::CsvTable(const std::filesystem::path& file) : file_(file) {
+  refuse_folder(file, {"table", {".csv"}, ""});
   std::ifstream stream(file);
   std::string line;
   if (!std::filesystem::is_regular_file(file) || !stream.is_open())

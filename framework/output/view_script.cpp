@@ -23,7 +23,10 @@ import argparse
 import os
 import sys
 
-from paraview.simple import *
+try:
+    from paraview.simple import *
+except ImportError:
+    raise SystemExit("view.py needs ParaView's Python. Run: paraview view.py, or pvpython view.py --screenshot bed.png.")
 
 )py";
 

@@ -76,7 +76,7 @@ std::string bed_key(const ModelScene& scene, const ContactModel& law, const Fill
   }
   key.line("height", scene.bed.height.value_or(-1)).line("seed", scene.bed.seed).line("dt", options.dt);
   key.line("softened", static_cast<bool>(options.softer_law));
-  key.line("law", law.descriptor().id, law.descriptor().version ? law.descriptor().version : "");
+  key.line("law", law.descriptor().id, law.descriptor().version ? law.descriptor().version : "", options.law_sha256);
   for (const ModelChoice& set : contact_sets(scene.models)) {
     for (const ModelParameter& parameter : set.parameters) key.line("parameter", parameter.name, parameter.real, parameter.text);
   }

@@ -9,6 +9,8 @@
 
 #include <omp.h>
 
+#include <similitude/sphere.h>
+
 #include "loader/contact_answers.h"
 #include "particles/bricks.h"
 #include "particles/carried_history.h"
@@ -38,7 +40,6 @@ struct alignas(64) BrickOutcome {
   Row wall_force;                  // [N], on all its particles
   std::size_t contacts = 0;
   DeepestContact deepest;          // since advance() began, or since the last rebuild in it
-  bool near_outlet = false;        // some row may leave before the next rebuild
   bool left = false;
   std::int64_t pushed_in = -1;     // sub-step in which its pairs were last pushed; shared by threads
 };
@@ -163,10 +164,9 @@ void Engine::Parts::mark_leaving() {
   for (std::size_t row = 0; row < particles.size(); ++row) {
     if (!surfaces.has_left(particles.position[row])) continue;
     leaves[row] = 1;
-    const double radius = particles.position[row].w;
     ++report.removed;
     report.removed_mass += particles.velocity[row].w;
-    report.removed_volume += 4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius;
+    report.removed_volume += sphere_volume(2 * particles.position[row].w);
     carry_out(row);
   }
 }

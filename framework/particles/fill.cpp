@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
 #include <similitude/sphere.h>
 
 #include "particles/bed_cache.h"
+#include "particles/bed_file.h"
+#include "particles/in_mm.h"
 #include "particles/lattice.h"
-#include "particles/particle_file.h"
 #include "particles/settle.h"
+#include "particles/sphere_mass.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -18,16 +18,6 @@ namespace similitude {
 namespace {
 
 constexpr double k_densest_bed = 0.64;   // [-], random close packing: more particles than this never settle below a height
-
-double sphere_mass(double density, double diameter) {
-  return density * std::numbers::pi / 6 * (diameter * diameter * diameter);
-}
-
-std::string in_mm(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g mm", length / 1e-3);
-  return text;
-}
 
 std::size_t add_particle(ParticleStore& particles, const ModelScene& scene, std::uint32_t species, const std::array<double, 3>& at) {
   const ParticleClass& type = scene.particles[species];
@@ -134,86 +124,6 @@ void fill_lattice(ParticleStore& particles, const ModelScene& scene) {
   particles.reserve(places.size());
   for (std::size_t n = 0; n < places.size(); ++n) {
     if (places[n][2] + scene.particles[classes[n]].diameter / 2 <= height) add_particle(particles, scene, classes[n], places[n]);
-  }
-}
-
-/// "bed.csv:12", for messages.
-std::string source_of(const FileParticle& particle, const ModelScene& scene) {
-  std::string place = scene.bed.file;
-  if (particle.line > 0) place.append(":").append(std::to_string(particle.line));
-  return place;
-}
-
-/// The class of a particle from a file: its type where the file has types, else the class nearest in diameter and density.
-std::uint32_t class_of(const FileParticle& particle, const ModelScene& scene, const FillOptions& options) {
-  const std::string place = source_of(particle, scene);
-  const auto classes = static_cast<int>(scene.particles.size());
-  if (classes == 1) return 0;
-  if (particle.type) {
-    if (*particle.type > classes) {
-      throw InputError(place + ": atom type " + std::to_string(*particle.type) + ", but the scene has " + std::to_string(classes) +
-                       " classes of particles.");
-    }
-    return static_cast<std::uint32_t>(*particle.type - 1);
-  }
-  if (!particle.diameter && !particle.density) {
-    throw InputError(place + ": which of the " + std::to_string(classes) + " classes of particles is this?",
-                     "Add a column diameter or density to the file.");
-  }
-  std::uint32_t nearest = 0;
-  double least = HUGE_VAL;
-  for (std::uint32_t c = 0; c < scene.particles.size(); ++c) {
-    const ParticleClass& type = scene.particles[c];
-    double distance = 0;   // [-]
-    if (particle.diameter) distance += std::abs(std::log(*particle.diameter * options.diameter_ratio / type.diameter));
-    if (particle.density) distance += std::abs(std::log(*particle.density * options.density_ratio / type.density));
-    if (distance < least) least = distance, nearest = c;
-  }
-  return nearest;
-}
-
-/// Time steps and cells are made for the classes: a particle that is another thing altogether would fly apart.
-void refuse_strangers(const FileParticle& particle, double diameter, double density, const ParticleClass& type, const ModelScene& scene,
-                      const FillOptions& options) {
-  constexpr double k_farthest = 10;   // [-], a thousandth of the mass has a thirtieth of the contact time, which steps resolve twenty-fold
-  const auto far = [](double one, double other) { return !(one < k_farthest * other && other < k_farthest * one); };
-  const auto refuse = [&](const std::string& what, const std::string& usual) {
-    throw InputError(source_of(particle, scene) + ": a " + what + " is far from the " + usual + " of its class " + type.name + ".",
-                     "Give such particles a class of their own in scene.particles. Files hold metres and kg/m^3 of the real bed.");
-  };
-  if (far(diameter, type.diameter)) {
-    refuse("diameter of " + in_mm(diameter / options.diameter_ratio), in_mm(type.diameter / options.diameter_ratio));
-  }
-  const auto in_kg = [&options](double simulated) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g kg/m^3", simulated / options.density_ratio);
-    return std::string(text);
-  };
-  if (far(density, type.density)) refuse("density of " + in_kg(density), in_kg(type.density));
-}
-
-void fill_from_file(ParticleStore& particles, const ModelScene& scene, const FillOptions& options) {
-  const std::vector<FileParticle> read = read_particle_file(scene.bed.file);
-  particles.reserve(read.size());
-  for (const FileParticle& particle : read) {
-    const std::uint32_t species = class_of(particle, scene, options);
-    const ParticleClass& type = scene.particles[species];
-    const double diameter = particle.diameter ? *particle.diameter * options.diameter_ratio : type.diameter;
-    const double density = particle.density ? *particle.density * options.density_ratio : type.density;
-    refuse_strangers(particle, diameter, density, type, scene, options);
-    std::array<double, 3> at{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      at[axis] = particle.position[axis] * options.length_ratio;
-      if (at[axis] < 0 || at[axis] > scene.size[axis]) {
-        throw InputError(source_of(particle, scene) + ": " + std::string(1, "xyz"[axis]) + " = " + in_mm(particle.position[axis]) +
-                             " is outside the domain, 0 to " + in_mm(scene.size[axis] / options.length_ratio) + ".",
-                         "Positions are in metres of the real bed.");
-      }
-    }
-    const std::size_t p = particles.add(particles.size(), species, at[0], at[1], at[2], diameter / 2, sphere_mass(density, diameter));
-    particles.velocity[p].x = particle.velocity[0] * options.velocity_ratio;
-    particles.velocity[p].y = particle.velocity[1] * options.velocity_ratio;
-    particles.velocity[p].z = particle.velocity[2] * options.velocity_ratio;
   }
 }
 

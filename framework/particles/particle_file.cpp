@@ -49,7 +49,9 @@ std::string column_name(std::string_view title, const Line& line) {
   name = std::string(trimmed(std::string_view(name).substr(0, bracket)));
   const bool speed = name.front() == 'v', mass = name == "density";
   const std::string expected = speed ? "[m/s]" : mass ? "[kg/m^3]" : "[m]";
-  if (unit != expected) line.refuse("column \"" + std::string(title) + "\" is read in " + expected + " only.");
+  if (unit != expected) line.refuse("column \"" + std::string(title) + "\" is read in " + expected + " only.",
+                                     "Write " + name + " " + expected + ", or " + name + " alone, with values in " +
+                                         (speed ? "metres per second" : mass ? "kilograms per cubic metre" : "metres") + ".");
   return name;
 }
 

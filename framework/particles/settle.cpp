@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include <similitude/sphere.h>
+
 #include "particles/engine.h"
 #include "particles/errors.h"
 #include "particles/impacts.h"
@@ -32,7 +34,7 @@ struct Scale {
     classes.resize(scene.particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p) {
       const double r = particles.position[p].w;
-      volume += 4.0 / 3 * std::numbers::pi * (r * r * r);
+      volume += sphere_volume(2 * r);
       if (particles.velocity[p].w < particles.velocity[smallest].w) smallest = p;
       if (particles.species[p] >= classes.size()) classes.resize(particles.species[p] + 1);
       classes[particles.species[p]] = {particles.velocity[p].w, r};

@@ -11,6 +11,16 @@ double coordinate(const Row& row, std::size_t axis) { return axis == 0 ? row.x :
 
 bool same_place(double a, double b, double size) { return std::fabs(a - b) <= 1e-9 * size; }
 
+/// What is left of the intervals where `taken` is not.
+std::vector<Interval> without(const std::vector<Interval>& intervals, const Interval& taken) {
+  std::vector<Interval> left;
+  for (const Interval& interval : intervals) {
+    if (taken.low > interval.low) left.push_back({interval.low, std::min(interval.high, taken.low)});
+    if (taken.high < interval.high) left.push_back({std::max(interval.low, taken.high), interval.high});
+  }
+  return left;
+}
+
 }  // namespace
 
 Surfaces::Surfaces(const ModelScene& scene) {
@@ -48,6 +58,48 @@ Surfaces::Rectangle Surfaces::rectangle(const ModelScene& scene, const std::arra
   return out;
 }
 
+void Surfaces::join(std::vector<Rectangle>& holes, const std::array<double, 2>& size) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    std::vector<double> places;
+    for (Rectangle& hole : holes) {
+      for (double* side : {&hole.low[axis], &hole.high[axis]}) {
+        const auto known = std::ranges::find_if(places, [&](double place) { return same_place(place, *side, size[axis]); });
+        if (known != places.end()) {
+          *side = *known;
+        } else {
+          places.push_back(*side);
+        }
+      }
+    }
+  }
+}
+
+std::vector<Surfaces::Rectangle> Surfaces::rim_of(const std::vector<Rectangle>& holes) {
+  std::vector<Rectangle> rim;
+  for (const Rectangle& hole : holes) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      for (const Side side : {Side::low, Side::high}) {
+        const double at = side == Side::low ? hole.low[axis] : hole.high[axis];
+        if (std::isinf(at)) continue;
+        const std::size_t along = 1 - axis;
+        std::vector<Interval> left{{hole.low[along], hole.high[along]}};
+        for (const Rectangle& other : holes) {
+          const bool goes_on = side == Side::low ? other.low[axis] < at && other.high[axis] >= at : other.high[axis] > at && other.low[axis] <= at;
+          if (goes_on) left = without(left, {other.low[along], other.high[along]});
+        }
+        for (const Interval& part : left) {
+          Rectangle segment{};
+          segment.low[axis] = segment.high[axis] = at;
+          segment.low[along] = part.low;
+          segment.high[along] = part.high;
+          rim.push_back(segment);
+        }
+      }
+    }
+  }
+  return rim;
+}
+
 Surfaces::Surface Surfaces::face_surface(const ModelScene& scene, Face face) {
   Surface out{};
   out.axis = static_cast<std::size_t>(face.axis);
@@ -73,9 +125,9 @@ Surfaces::Surface Surfaces::face_surface(const ModelScene& scene, Face face) {
     out.kind = Kind::islands;   // velocity patches are walls for particles
     out.rectangles = inlets;
   } else if (!outlets.empty()) {
-    const bool whole = std::any_of(outlets.begin(), outlets.end(), [](const Rectangle& r) {
-      return r.low[0] == -k_open_end && r.low[1] == -k_open_end && r.high[0] == k_open_end && r.high[1] == k_open_end;
-    });
+    join(outlets, {scene.size[out.first], scene.size[out.second]});
+    out.rim = rim_of(outlets);
+    const bool whole = out.rim.empty();
     out.kind = whole ? Kind::islands : Kind::wall_with_holes;
     if (!whole) out.rectangles = outlets;
   }
@@ -123,14 +175,16 @@ bool Surfaces::nearest(std::size_t index, const Row& centre, SurfaceTouch& out) 
     if (s.kind == Kind::wall) return true;
     to_centre[s.axis] = height;
     if (s.kind == Kind::wall_with_holes) {
-      const auto hole = std::find_if(s.rectangles.begin(), s.rectangles.end(),
-                                     [&](const Rectangle& r) { return r.contains(u, v); });
-      if (hole == s.rectangles.end()) return true;
+      if (!open_at(s, u, v)) return true;
       // Over a hole the nearest solid is its rim.
-      const std::array<double, 4> to_rim{u - hole->low[0], hole->high[0] - u, v - hole->low[1], hole->high[1] - v};
-      const auto side = static_cast<std::size_t>(std::min_element(to_rim.begin(), to_rim.end()) - to_rim.begin());
-      if (std::isinf(to_rim[side])) return false;
-      to_centre[side < 2 ? s.first : s.second] = side % 2 == 0 ? to_rim[side] : -to_rim[side];
+      double best = k_open_end;
+      for (const Rectangle& side : s.rim) {
+        const double du = u - std::clamp(u, side.low[0], side.high[0]), dv = v - std::clamp(v, side.low[1], side.high[1]);
+        if (du * du + dv * dv >= best) continue;
+        best = du * du + dv * dv;
+        to_centre[s.first] = du;
+        to_centre[s.second] = dv;
+      }
     } else {
       double best = k_open_end;
       for (const Rectangle& r : s.rectangles) {
@@ -177,9 +231,11 @@ bool Surfaces::separates(std::size_t index, const Row& a, const Row& b) const {
 }
 
 bool Surfaces::open_at(const Surface& face, double u, double v) {
-  const bool inside = std::any_of(face.rectangles.begin(), face.rectangles.end(),
-                                  [&](const Rectangle& r) { return r.contains(u, v); });
-  return face.kind == Kind::islands ? !inside : inside;
+  const auto inside = [&](const Rectangle& r) { return r.contains(u, v); };
+  const auto reached = [&](const Rectangle& r) { return r.reaches(u, v); };
+  if (face.kind == Kind::islands) return std::ranges::none_of(face.rectangles, inside);
+  // A point on the seam of two holes is inside neither.
+  return std::ranges::any_of(face.rectangles, reached) && std::ranges::none_of(face.rim, reached);
 }
 
 bool Surfaces::has_left(const Row& centre) const {

@@ -48,6 +48,7 @@ class Surfaces {
   struct Rectangle {
     std::array<double, 2> low, high;  // [m], along the surface's first and second axis; infinite where a side goes on
     bool contains(double u, double v) const { return u > low[0] && u < high[0] && v > low[1] && v < high[1]; }
+    bool reaches(double u, double v) const { return u >= low[0] && u <= high[0] && v >= low[1] && v <= high[1]; }
   };
   struct Surface {
     Kind kind;
@@ -57,6 +58,7 @@ class Surfaces {
     double inward;       // +1 on a low face, -1 on a high face, 0 for a baffle
     double half_width;   // [m], of a baffle: what its rounded edges add to the rectangle
     std::vector<Rectangle> rectangles;
+    std::vector<Rectangle> rim;   // of holes: their sides where no other hole goes on, each without width
   };
 
   Surface face_surface(const ModelScene& scene, Face face);
@@ -65,6 +67,10 @@ class Surfaces {
                       std::size_t second, double shrink) const;
   /// Moves a coordinate to the image nearest to the interval's middle.
   double nearest_image(std::size_t axis, double coordinate, double low, double high) const;
+  /// Gives sides that differ by rounding alone one place.
+  static void join(std::vector<Rectangle>& holes, const std::array<double, 2>& size);
+  /// Sides inside the plane of what the holes are together.
+  static std::vector<Rectangle> rim_of(const std::vector<Rectangle>& holes);
   static bool open_at(const Surface& face, double u, double v);
 
   std::array<double, 3> period_{};  // [m], 0 where not periodic

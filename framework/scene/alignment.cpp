@@ -15,9 +15,9 @@ constexpr int k_finest_division = 10;
 
 std::string interval_text(double low, double high) { return std::string("[") + in_mm(low) + ", " + in_mm(high) + "]"; }
 
-/// The coarsest whole fraction of `cell` on whose faces all coordinates lie, or 0.
-double fitting_cell(const std::vector<double>& coordinates, double cell) {
-  for (int division = 2; division <= k_finest_division; ++division) {
+/// The coarsest whole fraction of `cell`, but none below `least`, on whose faces all coordinates lie, or 0.
+double fitting_cell(const std::vector<double>& coordinates, double cell, double least) {
+  for (int division = 2; division <= k_finest_division && cell / division >= least * (1 - k_cells_tolerance); ++division) {
     bool fits = true;
     for (const double coordinate : coordinates) fits &= align(coordinate, cell / division).ok;
     if (fits) return cell / division;
@@ -25,8 +25,8 @@ double fitting_cell(const std::vector<double>& coordinates, double cell) {
   return 0;
 }
 
-std::string or_finer_cells(const std::vector<double>& coordinates, double cell) {
-  const double finer = fitting_cell(coordinates, cell);
+std::string or_finer_cells(const std::vector<double>& coordinates, double cell, double least) {
+  const double finer = fitting_cell(coordinates, cell, least);
   return finer > 0 ? ", or set scene.domain.cell: " + in_mm(finer) + "." : ".";
 }
 
@@ -47,7 +47,7 @@ std::string off_face_text(double coordinate, double cell) {
          " and " + in_mm(near.high) + ").";
 }
 
-std::string off_face_fix(Interval wanted, double cell) {
+std::string off_face_fix(Interval wanted, double cell, double least) {
   const Aligned low = align(wanted.low, cell);
   const Aligned high = align(wanted.high, cell);
   std::vector<std::string> choices;
@@ -60,12 +60,12 @@ std::string off_face_fix(Interval wanted, double cell) {
   offer(low.high, high.ok || low.ok ? high.high : high.low);
   std::string text = "Use ";
   for (std::size_t i = 0; i < choices.size(); ++i) text += (i == 0 ? "" : " or ") + choices[i];
-  return text + or_finer_cells({wanted.low, wanted.high}, cell);
+  return text + or_finer_cells({wanted.low, wanted.high}, cell, least);
 }
 
-std::string off_face_fix(double wanted, double cell) {
+std::string off_face_fix(double wanted, double cell, double least) {
   const Aligned near = align(wanted, cell);
-  return "Use " + in_mm(near.low) + " or " + in_mm(near.high) + or_finer_cells({wanted}, cell);
+  return "Use " + in_mm(near.low) + " or " + in_mm(near.high) + or_finer_cells({wanted}, cell, least);
 }
 
 }  // namespace similitude

@@ -23,9 +23,9 @@ std::string in_mm(double length);
 std::string off_face_text(double coordinate, double cell);
 
 /// "Use [65 mm, 80 mm] or [70 mm, 80 mm], or set scene.domain.cell: 2.5 mm." The last part only if a whole fraction of the
-/// cell fits both ends.
-std::string off_face_fix(Interval wanted, double cell);
+/// cell, not below `least` [m], fits both ends: cells smaller than the particles in them are no advice.
+std::string off_face_fix(Interval wanted, double cell, double least = 0);
 /// The same for one coordinate: "Use 65 mm or 70 mm, or set scene.domain.cell: 2.5 mm."
-std::string off_face_fix(double wanted, double cell);
+std::string off_face_fix(double wanted, double cell, double least = 0);
 
 }  // namespace similitude

@@ -27,7 +27,8 @@ void check_version(const Document& document) {
   if (version == nullptr)
     throw InputError(document.root().mark, path,
                      "this key is missing: it says for which version of the format a case is written.",
-                     "Start the file with the line similitude: " + known + ".");
+                     document.root().find("similitude_study") != nullptr ? "This looks like a study: similitude study runs it."
+                                                                         : "Start the file with the line similitude: " + known + ".");
   if (!version->is_text(known.c_str()))
     throw InputError(version->mark, path,
                      version->described() + " is no version of the format that this program knows.",

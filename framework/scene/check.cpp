@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <similitude/abi.h>
+#include <similitude/sphere.h>
 
 #include "scene/alignment.h"
 #include "scene/messages.h"
@@ -34,7 +34,7 @@ void check_cells(const RealScene& scene, const Document& document) {
     if (near.ok) continue;
     throw InputError(document.mark(path + "." + std::to_string(index(axis))), path,
                      letter(axis) + " = " + in_mm(size) + " is not a whole number of cells of " + in_mm(cell) + ".",
-                     near.low > 0 ? off_face_fix(size, cell)
+                     near.low > 0 ? off_face_fix(size, cell, largest_diameter(scene))
                                   : "Use " + in_mm(near.high) + ", or set scene.domain.cell: " + in_mm(size) + ".");
   }
   double cells = 1;
@@ -126,8 +126,7 @@ void check_amount(const RealScene& scene, const Document& document, std::vector<
     if (!species.count)
       throw InputError(document.mark(path), path, "nothing says how many particles there are.",
                        "Add a count, or scene.bed.height.");
-    volume += static_cast<double>(*species.count) * std::numbers::pi / 6 * species.diameter * species.diameter *
-              species.diameter;
+    volume += static_cast<double>(*species.count) * sphere_volume(species.diameter);
     largest = path;
   }
   const double area = scene.size[0] * scene.size[1];

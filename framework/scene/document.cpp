@@ -7,6 +7,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "scene/input_file.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -153,12 +154,13 @@ void refuse_other_encodings(const std::string& text, SourceMark mark) {
 
 }  // namespace
 
-Document::Document(const std::filesystem::path& file) {
+Document::Document(const std::filesystem::path& file, const std::string& version_key) {
   std::error_code problem;
+  refuse_folder(file, {version_key == "similitude" ? "case file" : "study file", {".yaml", ".yml"}, version_key + ":"});
   if (!std::filesystem::exists(file, problem)) throw InputError(file.string() + ": there is no such file.");
   std::ifstream stream(file);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (std::filesystem::is_directory(file, problem) || stream.bad() || !stream.is_open())
+  if (stream.bad() || !stream.is_open())
     throw InputError(file.string() + ": this is no file that can be read as a case.",
                      "Give the path of a case file, such as configs/quickstart.yaml.");
   refuse_other_encodings(text, {file.string(), 1, 0});

@@ -36,8 +36,9 @@ struct DocumentNode {
 
 class Document {
  public:
-  /// Throws InputError: the file cannot be read, is no YAML, repeats a key, or is empty.
-  explicit Document(const std::filesystem::path& file);
+  /// Throws InputError: the file cannot be read, is no YAML, repeats a key, or is empty. `version_key` is the key that such a file
+  /// starts with, to name one in a folder that was given in its place.
+  explicit Document(const std::filesystem::path& file, const std::string& version_key = "similitude");
 
   /// One --set: "models.scaling.geometry=0.5". Maps on the way are made as needed; "models.drag=x" written in short
   /// form becomes {id: x} when a key below it is set. The mark of what was set is "--set".

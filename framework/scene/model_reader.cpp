@@ -134,6 +134,29 @@ std::vector<ModelParameter> parameters_in(const similitude_descriptor& model, co
   return parameters;
 }
 
+/// 1, 2 or 5 times a power of ten, the nearest by ratio.
+double round_number(double value) {
+  constexpr double k_nearer = 1 - 1e-9;   // of two as near the smaller, whatever the rounding
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  double nearest = decade;
+  for (const double step : {2.0, 5.0, 10.0})
+    if (std::abs(std::log(value / (step * decade))) < k_nearer * std::abs(std::log(value / nearest))) nearest = step * decade;
+  return nearest;
+}
+
+/// From the middle of what is typical, so that it means something: the end of a range of ratios is often the identity.
+double example_value(const Row& row) {
+  constexpr double k_usual_spring = 500, k_usual_modulus = 1e7;   // [N/m], [Pa]: as in the shipped cases
+  const double low = row.typical_minimum, high = row.typical_maximum;
+  if (low < high && std::isfinite(high - low)) {
+    const double round = round_number(low > 0 ? std::sqrt(low * high) : std::max(std::abs(low), std::abs(high)) / 2);
+    return round >= low && round <= high ? round : low;
+  }
+  if (row.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS && unit_of(row) == "N/m") return k_usual_spring;
+  if (row.scales_as == SIMILITUDE_SCALES_AS_MODULUS && unit_of(row) == "Pa") return k_usual_modulus;
+  return 1;
+}
+
 }  // namespace
 
 std::string doc_of_parameter(const similitude_parameter& row) { return doc_of(row); }
@@ -141,9 +164,7 @@ std::string doc_of_parameter(const similitude_parameter& row) { return doc_of(ro
 std::string example_of_parameter(const similitude_parameter& row) {
   if (row.type == SIMILITUDE_FLAG) return "true";
   if (row.type == SIMILITUDE_CHOICE) return listed(split_choices(text_of(row.choices)));
-  double value = row.typical_minimum < row.typical_maximum ? row.typical_minimum : 1;
-  value = std::clamp(value, row.minimum, row.maximum);
-  return format_quantity(value, unit_of(row));
+  return format_quantity(std::clamp(example_value(row), row.minimum, row.maximum), unit_of(row));
 }
 
 std::vector<ModelParameter> read_parameters(const similitude_descriptor& model, const DocumentNode& node,
@@ -174,10 +195,15 @@ ModelChoice read_model(const std::string& kind, const DocumentNode& node, const 
   for (std::size_t i = 0; i < choice.parameters.size(); ++i) {
     const Row& row = model.parameters[i];
     if (row.required == 0 || choice.parameters[i].given) continue;
-    throw InputError(
-        node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
-        (node.is_scalar() ? "Write for example {id: " + choice.id + ", " + row.name + ": " + example_of_parameter(row) + "}."
-                          : "Add for example " + std::string(row.name) + ": " + example_of_parameter(row) + "."));
+    std::string missing;   // all of them, so that the advice is enough
+    for (std::size_t k = i; k < choice.parameters.size(); ++k) {
+      const Row& other = model.parameters[k];
+      if (other.required == 0 || choice.parameters[k].given) continue;
+      missing += (missing.empty() ? "" : ", ") + std::string(other.name) + ": " + example_of_parameter(other);
+    }
+    throw InputError(node.mark, path, choice.id + " needs the parameter " + row.name + " (" + doc_of(row) + ").",
+                     node.is_scalar() ? "Write for example {id: " + choice.id + ", " + missing + "}."
+                                      : "Add for example " + missing + ".");
   }
   return choice;
 }

@@ -77,6 +77,15 @@ struct Baffle {
   std::array<SourceMark, 3> extent_mark;   // of the extent along each axis (normal axis: of the position)
 };
 
+/// What the rows of a bed's file are of one class: relative to a particle of the class, so that it holds in both beds.
+struct FileRows {
+  std::int64_t count = 0;
+  double volume = 0;                // [-], of all rows together
+  double least_mass = 1;            // [-], of the lightest row; 1 where there is none
+  double diameter_of_lightest = 1;  // [-]
+  double least_diameter = 1;        // [-], of the smallest row
+};
+
 struct ParticleClass {
   std::string name;
   double diameter = 0;              // [m], what touches
@@ -85,6 +94,7 @@ struct ParticleClass {
   double density = 0;               // [kg/m^3]
   double weight = 1;                // physical particles that one simulated particle stands for
   std::optional<std::int64_t> count;   // how many are wanted
+  std::optional<FileRows> rows;     // of a bed from a file, once it is read: see particles/bed_file.h
   GivenValues values;
 };
 
@@ -173,6 +183,14 @@ struct Scene {
   TimeControl time;
   Output output;
 };
+
+/// [m], of what touches; 0 without particles.
+template <class Bed>
+double largest_diameter(const Scene<Bed>& scene) {
+  double largest = 0;
+  for (const ParticleClass& species : scene.particles) largest = species.diameter > largest ? species.diameter : largest;
+  return largest;
+}
 
 using RealScene = Scene<RealBed>;
 using ModelScene = Scene<ModelBed>;

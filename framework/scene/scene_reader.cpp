@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <tuple>
 
+#include "scene/input_file.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -44,6 +45,11 @@ void read_bed(const Section& bed, const RealScene& scene, BedFill& fill) {
                        "a file is read only with fill: file, but fill is " + kind + ".",
                        "Write fill: file, or remove this key.");
     const std::filesystem::path file = std::filesystem::path(scene.folder) / bed.text("file");
+    try {
+      refuse_folder(file.lexically_normal(), {"particle file", {".csv", ".vtp", ".data"}, ""});
+    } catch (const InputError& error) {
+      throw InputError(bed.mark("file"), bed.path("file"), error.what());
+    }
     std::error_code problem;
     if (!std::filesystem::is_regular_file(file, problem))
       throw InputError(bed.mark("file"), bed.path("file"), "there is no file " + file.lexically_normal().string() + ".",

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -270,6 +271,20 @@ std::string dimension_name(Dimension dimension) {
   return "a quantity in " + base_units(dimension);
 }
 
+namespace {
+
+bool is_celsius(std::string_view unit) {
+  return unit == "C" || unit == "°C" || unit == "degC" || unit == "deg C" || unit == "Celsius" || unit == "celsius";
+}
+
+/// A number of degrees Celsius: its zero lies elsewhere, so that no factor makes kelvin of it.
+std::string in_kelvin(const SplitNumber& celsius) {
+  constexpr double k_freezing = 273.15;   // [K]
+  return format_quantity(std::strtod((celsius.mantissa + "e" + std::to_string(celsius.exponent)).c_str(), nullptr) + k_freezing, "K");
+}
+
+}  // namespace
+
 double parse_quantity(std::string_view text, std::string_view unit) {
   const auto expected = parse_unit(unit);
   if (!expected) throw QuantityError{"the unit " + quoted(unit) + " that is asked for here is unknown.", ""};
@@ -293,6 +308,8 @@ double parse_quantity(std::string_view text, std::string_view unit) {
     if (!parsed) {
       const std::size_t slash = split->unit.find('/');
       const bool two_ways = slash != std::string_view::npos && split->unit.find(' ', slash) != std::string_view::npos;
+      if (expected->dimension == Dimension{0, 0, 0, 1} && is_celsius(split->unit))
+        throw QuantityError{quoted(split->unit) + " is not a unit.", "Write " + in_kelvin(*split) + "."};
       throw QuantityError{quoted(split->unit) + (two_ways ? " can be read in two ways." : " is not a unit."),
                           two_ways ? "Use brackets, for example kg/(m s)."
                                    : "Here " + needed + " is needed, for example " + example + "."};

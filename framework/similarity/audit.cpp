@@ -158,17 +158,21 @@ void warn_of_lost_velocity(const GroupComparison* group, const char* meaning, st
 AuditedBed audited(const RealScene& scene, SphereDrag drag) { return audited_bed(scene, std::move(drag)); }
 AuditedBed audited(const ModelScene& scene, SphereDrag drag) { return audited_bed(scene, std::move(drag)); }
 
-double gas_fraction_at_minimum(const RealScene& scene) {
-  double from_velocity = std::numeric_limits<double>::quiet_NaN();
+std::optional<double> given_gas_fraction_at_minimum(const RealScene& scene) {
+  std::optional<double> from_velocity;
   for (const ModelChoice* model : {&scene.models.scaling, &scene.models.drag}) {
     for (const ModelParameter& parameter : model->parameters) {
       if (!parameter.given) continue;
       if (parameter.name == "gas_fraction_at_minimum_fluidization") return parameter.real;
-      if (parameter.name == "minimum_fluidization_velocity" && std::isnan(from_velocity))
+      if (parameter.name == "minimum_fluidization_velocity" && !from_velocity)
         from_velocity = gas_fraction_ergun(sphere_in_gas(describe(scene)), parameter.real);
     }
   }
-  return std::isnan(from_velocity) ? k_gas_fraction_at_minimum : from_velocity;
+  return from_velocity;
+}
+
+double gas_fraction_at_minimum(const RealScene& scene) {
+  return given_gas_fraction_at_minimum(scene).value_or(k_gas_fraction_at_minimum);
 }
 
 std::vector<GroupComparison> compare_groups(const similitude_bed& real, const similitude_bed& simulated) {
@@ -196,6 +200,33 @@ std::vector<GroupComparison> compare_groups(const AuditedBed& real, const Audite
   add("entrance/d", "below the plates, in particles", real.entrance / d, simulated.entrance / e);
   add("cell/d", "gas cell, in particles", real.cell / d, simulated.cell / e);
   return all;
+}
+
+std::vector<std::string> group_legend(const AuditedBed& real, const std::vector<GroupComparison>& groups, double gas_fraction) {
+  const similitude_bed& bed = real.bed;
+  const SphereInGas sphere = sphere_in_gas(bed);
+  std::vector<std::string> lines{
+      fmt::format("u0 = {:.4g} m/s, mean superficial velocity; u_mf = {:.3g} m/s by Ergun; u_t = {:.3g} m/s by Schiller-Naumann, {:.3g} m/s by "
+                  "Newton (C_D = 4/9)",
+                  bed.superficial_velocity, minimum_fluidisation_ergun(sphere, gas_fraction), terminal_velocity(sphere, schiller_naumann),
+                  terminal_velocity_newton(sphere)),
+      fmt::format("L = {:.4g} mm, width; d = {:.4g} mm, particle", 1e3 * bed.bed_width, 1e3 * bed.particle_diameter)};
+  const auto length = [&](const char* name, const char* meaning, double value) {
+    if (value > 0) lines.back() += fmt::format("; {} = {:.4g} mm, {}", name, 1e3 * value, meaning);
+  };
+  length("depth", "from front to back", real.depth);
+  length("slot", "narrowest side of an inlet", real.slot);
+  length("gap", "narrowest, between plates or a plate and a wall", real.plate_gap);
+  length("entrance", "below the lowest plate", real.entrance);
+  length("cell", "smallest of the gas", real.cell);
+  const auto define = [&](const char* name, const std::string& text) {
+    if (find(groups, name) != nullptr) lines.push_back(std::string(name) + " = " + text);
+  };
+  define("Fr", "u0^2/(g L); Re = rho_f u0 d/mu; Ar = g rho_f (rho_p - rho_f) d^3/mu^2; St = rho_p d^2 u0/(18 mu L)");
+  define("J", fmt::format("rho_f u_jet^2/((rho_p - rho_f) g L), jet momentum over bed weight; u_jet = {:.4g} m/s, the fastest inlet",
+                          bed.largest_inlet_velocity));
+  define("softness", "K/(rho_p g L d) of a spring K, or E/(rho_p g L) of a modulus E: contact stiffness over bed weight");
+  return lines;
 }
 
 std::vector<std::string> audit_warnings(const AuditedBed& real, const AuditedBed& simulated,

@@ -1,6 +1,7 @@
 #pragma once
 /// Which groups a scaling keeps, by how much it misses the others, and where that matters in this bed.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,9 @@ AuditedBed audited(const RealScene& scene, SphereDrag drag = {});
 AuditedBed audited(const ModelScene& scene, SphereDrag drag = {});
 
 /// The gas fraction at minimum fluidisation that the case gives: a parameter gas_fraction_at_minimum_fluidization of its
-/// scaling or drag law, or what follows by Ergun from minimum_fluidization_velocity; k_gas_fraction_at_minimum if neither.
+/// scaling or drag law, or what follows by Ergun from minimum_fluidization_velocity; none if neither.
+std::optional<double> given_gas_fraction_at_minimum(const RealScene& scene);
+/// The same, or k_gas_fraction_at_minimum if the case gives none.
 double gas_fraction_at_minimum(const RealScene& scene);
 
 /// Groups that both beds lack are left out. u_mf at `gas_fraction_at_minimum` in both.
@@ -47,6 +50,10 @@ std::vector<GroupComparison> compare_groups(const AuditedBed& real, const Audite
                                             double gas_fraction_at_minimum);
 /// Only what the beds' own numbers give, as described by describe() in ratios.h.
 std::vector<GroupComparison> compare_groups(const similitude_bed& real, const similitude_bed& simulated);
+
+/// What the groups' symbols mean, with the real bed's values: "u0 = 1.309 m/s, mean superficial velocity; …". A line for the
+/// speeds and lengths, then one for each group among `groups` whose name does not say how it is made.
+std::vector<std::string> group_legend(const AuditedBed& real, const std::vector<GroupComparison>& groups, double gas_fraction_at_minimum);
 
 /// What a lost group or a count of diameters means in this bed, in words with its source. Thresholds that the real bed
 /// is beyond as well are not the scaling's doing and are left out.

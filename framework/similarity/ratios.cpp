@@ -63,11 +63,23 @@ double largest_shear_rate(const Scene<Bed>& scene, double mean_flow) {
   return rate;
 }
 
+/// How many particles the case gives, or the file of its bed.
+template <class Bed>
+double particle_count(const Scene<Bed>& scene) {
+  double count = 0;
+  for (const ParticleClass& species : scene.particles) {
+    count += static_cast<double>(species.rows ? species.rows->count : species.count.value_or(0));
+  }
+  return count;
+}
+
 template <class Bed>
 double solids_volume(const Scene<Bed>& scene) {
   double volume = 0;
-  for (const ParticleClass& species : scene.particles)
-    if (species.count) volume += static_cast<double>(*species.count) * sphere_volume(species.diameter);
+  for (const ParticleClass& species : scene.particles) {
+    const double like_the_class = species.rows ? species.rows->volume : static_cast<double>(species.count.value_or(0));
+    volume += like_the_class * sphere_volume(species.diameter);
+  }
   return volume;
 }
 
@@ -99,8 +111,7 @@ similitude_bed described(const Scene<Bed>& scene, std::size_t seen_by) {
     bed.particle_count = std::round(bed.bed_height * area * k_settled_packing / sphere_volume(one.diameter));
   } else {
     bed.bed_height = solids_volume(scene) / (k_settled_packing * area);
-    for (const ParticleClass& species : scene.particles)
-      bed.particle_count += static_cast<double>(species.count.value_or(0));
+    bed.particle_count = particle_count(scene);
   }
   return bed;
 }

@@ -1,14 +1,15 @@
 #include "similarity/sphere_drag.h"
 
-#include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include <similitude/sphere.h>
 
 namespace similitude {
 namespace {
 
 double buoyant_weight(const SphereInGas& s) {
-  return std::numbers::pi / 6 * (s.diameter * s.diameter * s.diameter) * (s.particle_density - s.gas_density) * s.gravity;
+  return sphere_volume(s.diameter) * (s.particle_density - s.gas_density) * s.gravity;
 }
 
 /// The speed at which `force` reaches `needed`, from a first guess.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "particles/bed_file.h"
 #include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
@@ -141,11 +142,12 @@ void refuse_light_particles(const Assembly& assembly) {
 Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   Assembly assembly;
   assembly.real = scene;
+  read_bed_rows(assembly.real);
   choose_effects(assembly.real, catalogue);
   // The real bed's grid is laid only to be checked: its messages speak of the lengths the user wrote.
   const Grid checked(scene);
 
-  const similitude_bed real_bed = describe(scene);
+  const similitude_bed real_bed = describe(assembly.real);
   assembly.scaling =
       create<similitude_scaling_functions>(catalogue, scene.models.scaling, real_bed, assembly.plugins);
   assembly.ratios = ratios_of(assembly.scaling, real_bed, scene.models.scaling.mark);

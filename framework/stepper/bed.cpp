@@ -1,7 +1,9 @@
 #include "stepper/bed.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "output/sha256.h"
 #include "particles/bed_cache.h"
 
 namespace similitude {
@@ -12,6 +14,12 @@ StoreFields store_fields(const Assembly& assembly) {
 
 namespace {
 
+std::string sha256_of_contact_plugin(const Assembly& assembly) {
+  const auto is_it = [&](const PluginEntry& plugin) { return plugin.descriptor == &assembly.contact.descriptor(); };
+  const auto entry = std::ranges::find_if(assembly.plugins, is_it);
+  return entry != assembly.plugins.end() ? sha256_of_file(entry->file) : "";
+}
+
 FillOptions fill_options(const Assembly& assembly, const TimeSteps& steps,
                          std::function<void(double fraction, const std::string& stage)> progress) {
   return {.dt = steps.dt,
@@ -21,7 +29,8 @@ FillOptions fill_options(const Assembly& assembly, const TimeSteps& steps,
           .velocity_ratio = assembly.ratios.velocity,
           .softer_law = [&assembly](double factor) { return softened_contact(assembly, factor); },
           .progress = std::move(progress),
-          .cache_folder = cache_folder_of_beds()};
+          .cache_folder = cache_folder_of_beds(),
+          .law_sha256 = assembly.model.bed.kind == FillKind::settle ? sha256_of_contact_plugin(assembly) : ""};
 }
 
 }  // namespace

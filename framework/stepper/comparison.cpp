@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "particles/bed_file.h"
 #include "scene/case_file.h"
 #include "scene/messages.h"
+#include "scene/model_reader.h"
 #include "stepper/inspection.h"
 #include "stepper/prediction.h"
 #include "stepper/time_steps.h"
@@ -81,6 +83,16 @@ Sizes required_sizes(const similitude_descriptor& law) {
   return sizes;
 }
 
+/// "length=0.5,diameter=0.5": all that a law cannot do without, as --law takes it.
+std::string example_of_law(const similitude_descriptor& law) {
+  std::string text;
+  for (std::uint32_t i = 0; i < law.parameter_count; ++i) {
+    const similitude_parameter& row = law.parameters[i];
+    if (row.required != 0) text += (text.empty() ? "" : ",") + std::string(row.name) + "=" + example_of_parameter(row);
+  }
+  return text;
+}
+
 /// A law that takes the gas fraction at minimum fluidization gets the case's, whoever gave it there.
 void pass_gas_fraction(const similitude_descriptor& law, double gas_fraction,
                        std::vector<std::pair<std::string, std::string>>& parameters) {
@@ -124,11 +136,15 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   const Priced bed = priced(typed, law);
   const Assembly& assembly = bed.assembly;
   strategy.factors = assembly.ratios;
-  const ScalingAudit audit = audit_of(assembly, typed.catalogue, comparison.gas_fraction_at_minimum);
+  const double gas_fraction = given_gas_fraction_at_minimum(assembly.real).value_or(comparison.gas_fraction_at_minimum);
+  const ScalingAudit audit = audit_of(assembly, typed.catalogue, gas_fraction);
   strategy.groups = audit.groups;
+  comparison.legend = audit.legend;
   strategy.warnings = assembly.warnings;
   strategy.warnings.insert(strategy.warnings.end(), audit.warnings.begin(), audit.warnings.end());
   for (const std::string& warning : bed.steps.warnings) strategy.warnings.push_back(warning);
+  if (std::abs(gas_fraction / comparison.gas_fraction_at_minimum - 1) > k_kept_within)
+    strategy.warnings.push_back(fmt::format("its u0/u_mf is taken at the gas fraction that it was told, {:.4g}.", gas_fraction));
   strategy.particles = bed.particles;
   strategy.particle_steps = bed.particle_steps;
   strategy.speedup = comparison.particle_steps / bed.particle_steps;
@@ -138,10 +154,24 @@ Strategy audited_strategy(const CaseAsTyped& typed, const LawChoice& law, Compar
   return strategy;
 }
 
+/// u_mf of all laws is taken where the first law that was told a gas fraction at minimum fluidization has it, so that the law is
+/// judged by what it was made of.
+std::optional<double> gas_fraction_told(const CaseAsTyped& typed, const std::vector<LawChoice>& laws) {
+  for (const LawChoice& law : laws) {
+    if (law.because != k_asked_for) continue;
+    try {
+      const std::optional<double> told = given_gas_fraction_at_minimum(case_with(typed, law).scene);
+      if (told) return told;
+    } catch (const InputError&) {   // told in the law's own row
+    }
+  }
+  return {};
+}
+
 /// What is measured or taken once for all laws.
 Comparison started(const CaseAsTyped& typed) {
-  const CaseFile own = read_case(typed.file, typed.catalogue, typed.overrides);
-  const RealScene& scene = own.scene;
+  RealScene scene = read_case(typed.file, typed.catalogue, typed.overrides).scene;
+  read_bed_rows(scene);
   if (scene.particles.empty() || !(describe(scene).gravity > 0))
     throw InputError("this case has no particles under gravity: there is nothing that a scaling law could compare.",
                      "Give scene.particles, or remove scene.gravity.");
@@ -156,6 +186,7 @@ Comparison started(const CaseAsTyped& typed) {
   const PredictedCost cost = predict_cost(assembly, steps);
   if (!cost.gap.empty()) throw InputError("no cost can be compared: " + cost.gap);
   comparison.particle_steps_per_s = cost.particle_steps_per_s;
+  comparison.threads = cost.threads;
   comparison.gas_step_s = cost.gas_step_s;
   comparison.exchange_s = cost.exchange_s;
   comparison.particle_steps = priced(typed, {"exact", "exact", "", ""}).particle_steps;
@@ -244,7 +275,8 @@ ScalingAudit audit_of(const Assembly& assembly, const Catalogue& catalogue, doub
   drags.of_real = sphere_drag(drags.real, sphere_in_gas(describe(assembly.real)),
                               std::cbrt(assembly.real.cell[0] * assembly.real.cell[1] * assembly.real.cell[2]));
   const AuditedBed real = audited(assembly.real, drags.of_real), simulated = audited(assembly.model, drags.of_simulated);
-  ScalingAudit audit{.groups = compare_groups(real, simulated, gas_fraction_at_minimum), .warnings = {}};
+  ScalingAudit audit{.groups = compare_groups(real, simulated, gas_fraction_at_minimum), .warnings = {}, .legend = {}};
+  audit.legend = group_legend(real, audit.groups, gas_fraction_at_minimum);
   audit.warnings = audit_warnings(real, simulated, audit.groups);
   return audit;
 }
@@ -280,7 +312,7 @@ std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::s
     const similitude_descriptor& law = *typed.catalogue.find("scaling", id)->descriptor;
     const Sizes sizes = required_sizes(law);
     if (!sizes.unknown.empty()) {
-      left_out.push_back(id + ": say its " + sizes.unknown + ", for example --law " + id + ":" + sizes.unknown + "=…");
+      left_out.push_back(id + ": say its " + sizes.unknown + ", for example --law " + id + ":" + example_of_law(law));
       continue;
     }
     std::vector<std::pair<std::string, std::string>> parameters;
@@ -297,6 +329,7 @@ std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::s
 
 Comparison compare_laws(const CaseAsTyped& typed, const std::vector<LawChoice>& laws) {
   Comparison comparison = started(typed);
+  comparison.gas_fraction_at_minimum = gas_fraction_told(typed, laws).value_or(comparison.gas_fraction_at_minimum);
   for (const LawChoice& law : laws) {
     try {
       comparison.strategies.push_back(audited_strategy(typed, law, comparison));

@@ -32,9 +32,11 @@ struct Strategy {
 
 struct Comparison {
   std::string title;
-  double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken
+  double gas_fraction_at_minimum = 0;   // [-], at which u_mf is taken; a law that was told another is judged at its own
   double particle_steps = 0;            // of the real bed, simulated exactly
   double particle_steps_per_s = 0, gas_step_s = 0, exchange_s = 0;   // measured on this machine, with the case's own law: see prediction.h
+  int threads = 0;                      // that these were measured with
+  std::vector<std::string> legend;      // what the symbols of the groups stand for in the real bed
   std::vector<Strategy> strategies;
   std::vector<std::string> left_out;    // laws that cannot be put into words without the user
 };
@@ -57,6 +59,7 @@ std::vector<LawChoice> default_laws(const CaseAsTyped& typed, std::vector<std::s
 struct ScalingAudit {
   std::vector<GroupComparison> groups;
   std::vector<std::string> warnings;
+  std::vector<std::string> legend;   // see similarity/audit.h
 };
 ScalingAudit audit_of(const Assembly& assembly, const Catalogue& catalogue, double gas_fraction_at_minimum);
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "loader/number_text.h"
 #include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
@@ -115,7 +116,7 @@ bool say_the_same(const similitude_relevance& one, const similitude_relevance& o
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::string words(const EffectVerdict& verdict, const similitude_relevance& relevance) {
-  const auto number = [](double value) { return std::isnan(value) ? std::string("unknown") : fmt::format("{:.2g}", value); };
+  const auto number = [](double value) { return std::isnan(value) ? std::string("unknown") : two_digits(value); };
   std::string value = number(verdict.value);
   if (verdict.lowest < verdict.highest) value = number(verdict.lowest) + " ... " + number(verdict.highest);
   if (!verdict.species.empty()) value += " for " + verdict.species;

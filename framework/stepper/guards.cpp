@@ -11,8 +11,6 @@
 namespace similitude {
 namespace {
 
-constexpr double k_overlap_to_warn = 0.05;       // of a diameter: a softer bed than the law was meant for
-constexpr double k_overlap_to_stop = 0.30;       // of a diameter: no sphere is left
 constexpr double k_courant_to_warn = 0.8;        // accuracy suffers, and a gust may pass the limit
 constexpr double k_courant_to_stop = 1.0;        // explicit advection is unbounded beyond
 constexpr double k_mass_residual_to_warn = 1e-5; // of the throughput, per step

@@ -14,6 +14,9 @@
 
 namespace similitude {
 
+inline constexpr double k_overlap_to_warn = 0.05;   // of a diameter: a softer bed than the law was meant for
+inline constexpr double k_overlap_to_stop = 0.30;   // of a diameter: no sphere is left
+
 class Guards {
  public:
   /// `courant_limits` false: a gas that is not advected may cross any number of cells in a step.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "loader/number_text.h"
+
 #include "coupling/cell_map.h"
 #include "fluid/staggered.h"
 #include "fluid/velocity_gradient.h"
@@ -71,12 +73,12 @@ std::vector<std::string> second_thoughts(const std::vector<EffectVerdict>& befor
     const auto then = std::ranges::find(before, now.id, &EffectVerdict::id);
     if (then == before.end()) continue;
     if (now.verdict == 1 && !now.chosen) {
-      thoughts.push_back(fmt::format("{} was left out, but what occurred calls for it: {}. Before the run: {:.2g}. Add {} to models.effects.",
-                                     now.id, now.because, then->value, now.id));
+      thoughts.push_back(fmt::format("{} was left out, but what occurred calls for it: {}. Before the run: {}. Add {} to models.effects.",
+                                     now.id, now.because, two_digits(then->value), now.id));
     } else if (now.verdict == 0 && now.chosen) {
-      thoughts.push_back(fmt::format("{} was in the run, but what occurred does not call for it: {}. Before the run: {:.2g}. It may be left out "
+      thoughts.push_back(fmt::format("{} was in the run, but what occurred does not call for it: {}. Before the run: {}. It may be left out "
                                      "of models.effects.",
-                                     now.id, now.because, then->value));
+                                     now.id, now.because, two_digits(then->value)));
     }
   }
   return thoughts;

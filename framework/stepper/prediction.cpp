@@ -1,5 +1,6 @@
 #include "stepper/prediction.h"
 
+#include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ ParticleStore bed_to_try(const Assembly& assembly, const TimeSteps& steps, std::
   ModelScene loose = assembly.model;
   loose.bed.kind = FillKind::lattice;
   try {
-    fill_bed(particles, loose, assembly.contact, {.dt = steps.dt, .softer_law = {}, .progress = {}, .cache_folder = {}});
+    fill_bed(particles, loose, assembly.contact, {.dt = steps.dt, .softer_law = {}, .progress = {}, .cache_folder = {}, .law_sha256 = {}});
   } catch (const InputError&) {   // denser than a lattice
     return fill_bed(assembly, steps, {}).particles;
   }
@@ -139,8 +140,13 @@ void calibrate(const Assembly& assembly, const TimeSteps& steps, double gas_step
 
 }  // namespace
 
+void predict_with_threads(int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
+}
+
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {
   PredictedCost cost;
+  cost.threads = omp_get_max_threads();
   cost.particles = expected_particles(assembly.model);
   const auto gas_steps = static_cast<double>(steps.gas_steps_until(assembly.model.time.end));
   cost.particle_steps = static_cast<double>(cost.particles) * gas_steps * static_cast<double>(steps.sub_steps);

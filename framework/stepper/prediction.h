@@ -12,6 +12,7 @@
 namespace similitude {
 
 struct PredictedCost {
+  int threads = 0;                   // of the calibration
   std::int64_t particles = 0;        // simulated
   double particle_steps = 0;         // to the case's end
   double wall_s = 0;                 // [s], of the time loop, as timing.json has it; NaN with a gap
@@ -28,5 +29,8 @@ struct PredictedCost {
 /// threads that OpenMP is set to. A calibration that fails is a gap, not an error.
 inline constexpr double k_calibration_s = 1.5;
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps);
+
+/// For all predictions that follow; 0: as OpenMP is set by the environment.
+void predict_with_threads(int threads);
 
 }  // namespace similitude

@@ -18,6 +18,7 @@
 #include "output/view_script.h"
 #include "particles/errors.h"
 #include "stepper/bed.h"
+#include "stepper/bed_numbers.h"
 #include "stepper/checkpoints.h"
 #include "stepper/comparison.h"
 #include "stepper/effects.h"
@@ -285,6 +286,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   const TimeSteps steps = choose_time_steps(assembly);
   for (const std::string& warning : assembly.warnings) warn(warning);
   for (const std::string& warning : steps.warnings) warn(warning);
+  for (const std::string& warning : bed_warnings(assembly)) warn(warning);
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -40,12 +41,14 @@ bool has_walls(const ModelScene& scene) {
   return !scene.baffles.empty() || std::ranges::any_of(scene.periodic, [](bool repeats) { return !repeats; });
 }
 
+/// Of the lightest particle of each class: a row of a bed's file may be smaller than its class.
 std::vector<Impact> impacts_of(const Assembly& assembly) {
   const ModelScene& scene = assembly.model;
   std::vector<Sphere> classes;
   for (const auto& particles : scene.particles) {
     const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
-    classes.push_back({mass, particles.diameter / 2});
+    const FileRows rows = particles.rows.value_or(FileRows{});
+    classes.push_back({mass * rows.least_mass, particles.diameter / 2 * rows.diameter_of_lightest});
   }
   std::vector<Impact> impacts = possible_impacts(classes, assembly.contact);
   if (!has_walls(scene)) std::erase_if(impacts, [&](const Impact& impact) { return impact.materials.second == classes.size(); });
@@ -63,17 +66,19 @@ TimeStepLimit contact_limit(const Assembly& assembly) {
     if (hard < limit.hard) limit.hard = hard, least_stable = impact.materials;
   }
   const auto& classes = assembly.model.particles;
+  const bool one_pair = classes.size() == 1 && assembly.contact.sets() == 1;
+  limit.hard_because = fmt::format("stability of the integrator in a packed bed, (sqrt(1 + 4 zeta^2) - 2 zeta)/omega_0 of {}",
+                                   one_pair ? "the lightest pair" : pair_name(classes, least_stable));
   if (limit.advised > k_share_of_stable * limit.hard) {
     limit.advised = k_share_of_stable * limit.hard;
     limit.because = "half of what is stable in a packed bed with contacts damped so heavily";
     return limit;
   }
-  if (classes.size() == 1 && assembly.contact.sets() == 1) {
+  if (one_pair) {
     limit.because = fmt::format("{} steps per contact of the lightest pair", k_steps_per_contact);
     return limit;
   }
   limit.because = fmt::format("{} steps per contact of the quickest pair, {}", k_steps_per_contact, pair_name(classes, quickest));
-  if (!(least_stable == quickest)) limit.because += fmt::format("; hard: of {}", pair_name(classes, least_stable));
   return limit;
 }
 
@@ -88,8 +93,8 @@ void effect_limits(const Assembly& assembly, std::vector<TimeStepLimit>& limits)
       hard = std::min(hard, largest_stable_step_of(effect, {0, impact.effective_mass, impact.effective_radius, speed}));
     }
     if (!std::isfinite(hard)) continue;
-    limits.push_back({std::string("effect: ") + effect.descriptor().id, "explicit step of its contact pass", StepKind::particles,
-                      k_advised_share * hard, hard, false});
+    limits.push_back({std::string("effect: ") + effect.descriptor().id, "half of what is stable in its contact pass",
+                      StepKind::particles, k_advised_share * hard, hard, false, "stability of its explicit contact pass, as the effect says"});
   }
 }
 
@@ -100,7 +105,9 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
     limits.push_back(contact_limit(assembly));
     effect_limits(assembly, limits);
     double diameter = k_never;
-    for (const auto& particles : scene.particles) diameter = std::min(diameter, particles.diameter);
+    for (const auto& particles : scene.particles) {
+      diameter = std::min(diameter, particles.diameter * particles.rows.value_or(FileRows{}).least_diameter);
+    }
     const double speed = free_fall_speed(scene);
     if (speed > 0) {
       limits.push_back({"particle motion", "a tenth of a diameter per sub-step at free-fall speed", StepKind::particles,
@@ -113,7 +120,7 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
   if (assembly.coupled() && assembly.fluid_needs.any_courant_number == 0 && inlet > 0) {
     limits.push_back({"gas CFL", fmt::format("Courant number {} at {} times the fastest inlet", k_advised_courant, k_jet_overshoot),
                       StepKind::gas, k_advised_courant * smallest_spacing(scene) / (k_jet_overshoot * inlet),
-                      smallest_spacing(scene) / inlet, false});
+                      smallest_spacing(scene) / inlet, false, "Courant number 1 at the fastest inlet's own speed"});
   }
   if (assembly.fluid.functions().largest_stable_step != nullptr) {
     const double stable = assembly.fluid.functions().largest_stable_step(assembly.fluid.instance(), &assembly.grid->table());
@@ -122,7 +129,8 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
                         "This is for the plugin's author to mend. If the solver threw, its words stand above.");
     }
     if (std::isfinite(stable) && stable > 0) {
-      limits.push_back({"gas viscosity", "explicit viscous stress", StepKind::gas, stable / 2, stable, false});
+      limits.push_back({"gas viscosity", "half of what is stable with an explicit viscous stress", StepKind::gas, stable / 2, stable, false,
+                        "stability of the explicit viscous stress"});
     }
   }
   return limits;
@@ -147,7 +155,7 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
     if (step > limit.hard) {
       throw InputError(mark, path,
                        fmt::format("{:.3g} s is beyond the hard limit of {:.3g} s ({}: {})", step * to_real,
-                                   limit.hard * to_real, limit.name, limit.because),
+                                   limit.hard * to_real, limit.name, limit.hard_because),
                        fmt::format("Set {}: auto, or at most {:.3g} s.", path, limit.advised * to_real));
     }
     if (step > limit.advised * (1 + 1e-9)) {
@@ -155,6 +163,27 @@ void check_against_limits(double step, StepKind kind, const SourceMark& mark, co
                                            limit.advised * to_real, limit.name, limit.because));
     }
   }
+}
+
+/// The gas step follows from the physics alone, so that neither the end nor an output changes a state; a step that is longer
+/// than they are passes them by.
+void warn_of_what_is_passed_by(const Assembly& assembly, TimeSteps& steps) {
+  const ModelScene& scene = assembly.model;
+  const double to_real = 1 / assembly.results.time;
+  const double gas_dt = steps.gas_dt();
+  const std::pair<const char*, double> asked[] = {
+      {"time.end", scene.time.end}, {"output.monitors", scene.output.monitor_every}, {"output.vtk", scene.output.vtk_every}};
+  std::string passed;
+  double shortest = k_never;
+  for (const auto& [key, interval] : asked) {
+    if (!(interval > 0) || gas_dt <= interval * (1 + 1e-9)) continue;
+    passed += fmt::format("{}{} ({:.3g} s)", passed.empty() ? "" : ", ", key, interval * to_real);
+    shortest = std::min(shortest, interval);
+  }
+  if (passed.empty()) return;
+  steps.warnings.push_back(fmt::format("time.gas_dt: the gas step of {:.3g} s is longer than {}; nothing is written within it, and the run ends "
+                                       "after a whole one.\n  Set time.gas_dt: {:.3g} s.",
+                                       gas_dt * to_real, passed, std::max(shortest, steps.dt) * to_real));
 }
 
 /// Steps are counted in whole numbers. What wants more of them than a double tells apart was not meant: an inlet of 1e308 m/s.
@@ -214,6 +243,7 @@ TimeSteps choose_time_steps(const Assembly& assembly) {
   }
   // Whole number of sub-steps: rounded down, so that the gas step never exceeds what was chosen.
   steps.sub_steps = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::floor(gas_dt / steps.dt * (1 + 1e-9))));
+  warn_of_what_is_passed_by(assembly, steps);
   return steps;
 }
 

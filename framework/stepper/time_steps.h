@@ -14,11 +14,12 @@ enum class StepKind { particles, gas };
 /// One limit, in the simulated bed's time.
 struct TimeStepLimit {
   std::string name;
-  std::string because;
+  std::string because;   // of the advised step
   StepKind kind = StepKind::particles;
   double advised = 0;    // [s], `auto` stays at or below
   double hard = 0;       // [s], beyond it a run is refused; infinite where only accuracy suffers
   bool binding = false;  // it decided its step
+  std::string hard_because = {};   // of the hard step; empty where there is none
 };
 
 /// In the simulated bed's time. The gas step is a whole number of DEM sub-steps.

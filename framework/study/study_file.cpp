@@ -257,7 +257,7 @@ void check_head(const Document& document) {
 }  // namespace
 
 StudyFile read_study(const std::filesystem::path& file) {
-  const Document document(file);
+  const Document document(file, "similitude_study");
   check_head(document);
   const Section root(&document.root(), "", study_keys(), document.root().mark);
   const std::filesystem::path folder = std::filesystem::absolute(file).lexically_normal().parent_path();

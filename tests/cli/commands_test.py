@@ -2,6 +2,7 @@
 import csv
 import glob
 import json
+import math
 import os
 import pathlib
 import re
@@ -87,7 +88,7 @@ class Check(CommandTest):
         done = self.command("check", self.write(SMALL), "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         page = json.loads(done.stdout)
-        self.assertEqual(set(page), {"pipeline", "fields", "time_steps", "effects", "predicted"})
+        self.assertEqual(set(page), {"pipeline", "fields", "bed", "time_steps", "effects", "predicted"})
         self.assertEqual(set(page["fields"][0]), {"name", "bytes_per_item", "items", "because"})
         self.assertTrue(any(limit["binding"] for limit in page["time_steps"]["limits"]))
         self.assertGreater(page["predicted"]["particle_steps"], 0)
@@ -114,6 +115,96 @@ class Check(CommandTest):
                 done = self.command("check", case)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertIn("predicted", done.stdout)
+
+
+# A ball thrown at the floor; its row is smaller than its class.
+BALL = """\
+similitude: 1
+title: a small particle of a large class
+scene:
+  domain:    {size: [20 mm, 20 mm, 20 mm], cell: 5 mm}
+  gas:       {density: 1.2e-6 kg/m^3, viscosity: 1.8e-12 Pa s}
+  particles: {ball: {diameter: 1 mm, density: 2500 kg/m^3}}
+  bed:       {fill: file, file: ball.csv}
+models:
+  drag: schiller_naumann
+  contact: {id: linear_spring, stiffness: 500 N/m, restitution: 0.5, friction: 0}
+  fluid: prescribed
+  scaling: exact
+  effects: []
+time:   {end: 40 ms, dt: auto}
+output: {vtk: none, monitors: every 2 ms, checkpoint: none}
+"""
+
+
+class BedFromAFile(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.write("x,y,z,vz,diameter\n0.01,0.01,0.001,-0.1,0.00011\n", "ball.csv")
+
+    def test_steps_follow_its_smallest_row(self):
+        done = self.run_case(BALL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.path("out/monitors.csv"), encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        # It lands with sqrt(0.1^2 + 2 g 0.945 mm) = 0.17 m/s and leaves with half of it.
+        mass = 2500 * math.pi / 6 * 0.00011**3
+        speeds = [math.sqrt(2 * float(row["kinetic_energy [J]"]) / mass) for row in rows]
+        self.assertLess(max(speeds), 0.17)
+        self.assertLess(max(speeds[8:]), 0.09)   # from 16 ms: after the landing at 7 ms
+
+    def test_a_step_beyond_what_its_smallest_row_bears_is_refused(self):
+        done = self.command("check", self.write(BALL), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        contact = json.loads(done.stdout)["time_steps"]["limits"][0]
+        self.assertEqual(contact["name"], "contact time")
+        # As if the ball were of this size by its class.
+        own = self.command("check", self.write(BALL.replace("diameter: 1 mm", "diameter: 0.11 mm")), "--json")
+        self.assertAlmostEqual(json.loads(own.stdout)["time_steps"]["limits"][0]["hard"] / contact["hard"], 1, places=9)
+        done = self.command("check", self.write(BALL), "--set", f"time.dt={1.01 * contact['hard']} s")
+        self.assert_refused(done, 2, "is beyond the hard limit of", "(contact time: 20 steps per contact of the lightest pair)")
+
+    def test_is_counted_before_it_is_judged(self):
+        self.write("x,y,z\n" + "".join(f"{(0.5 + i) / 1e3},{(0.5 + j) / 1e3},{(0.5 + k) / 1e3}\n"
+                                       for i in range(10) for j in range(10) for k in range(10)), "ball.csv")
+        case = BALL.replace("effects: []", "effects: [{id: rolling_friction, coefficient: 0.1}]").replace("end: 40 ms", "end: 1 ms").replace(
+            "friction: 0}", "friction: 0.3}")
+        done = self.command("check", self.write(case), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = json.loads(done.stdout)
+        self.assertGreater(page["predicted"]["particle_steps"], 1000)
+        self.assertEqual({field["items"] for field in page["fields"] if field["name"].startswith("particle.")}, {1000})
+        # As the same particles on a lattice.
+        lattice = case.replace("fill: file, file: ball.csv", "fill: lattice").replace("2500 kg/m^3", "2500 kg/m^3, count: 1000")
+        done = self.command("check", self.write(lattice), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for one, other in zip(page["effects"], json.loads(done.stdout)["effects"]):
+            self.assertEqual((one["id"], one["value"], one["verdict"]), (other["id"], other["value"], other["verdict"]))
+
+    def test_can_be_compared_under_scaling_laws(self):
+        self.write("x,y,z\n0.01,0.01,0.001\n0.01,0.01,0.004\n", "ball.csv")
+        done = self.command("scale", self.write(BALL), "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for strategy in json.loads(done.stdout)["strategies"]:
+            self.assertIn(strategy["particles"], (2, None))   # a file's rows are simulated one by one, whatever the law
+
+
+class GasStep(CommandTest):
+    def test_longer_than_the_run_and_its_outputs_is_said(self):
+        self.write("x,y,z\n0.01,0.01,0.01\n", "ball.csv")
+        case = BALL.replace("end: 40 ms", "end: 0.1 ms").replace("every 2 ms", "every 50 us")
+        done = self.run_case(case)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"warning: time.gas_dt: the gas step of 0.000\d+ s is longer than time.end \(0.0001 s\), output.monitors "
+                                      r"\(5e-05 s\); nothing is written within it, and the run ends after a whole one.\n"
+                                      r"  Set time.gas_dt: 5e-05 s.\n")
+        done = self.run_case(case.replace("dt: auto", "dt: auto, gas_dt: 5e-05 s"), "--force")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("warning", done.stderr)
+        with open(self.path("out/monitors.csv"), encoding="utf-8", newline="") as file:
+            times = [float(row["time [s]"]) for row in csv.DictReader(file)]
+        self.assertLess(times[-1], 0.15e-3)
+        self.assertGreaterEqual(len(times), 3)
 
 
 class ShippedBeds(CommandTest):
@@ -169,6 +260,17 @@ class Scale(CommandTest):
         strategies = self.strategies("--law", "link:n=2", "--law", "similarity:geometry=0.5,n=1")
         self.assertEqual([strategy["id"] for strategy in strategies], ["link", "similarity"])
         self.assertAlmostEqual(strategies[0]["factors"]["gas_viscosity"], 2)
+
+    def test_judges_a_law_by_the_minimum_fluidization_that_it_was_told(self):
+        velocity, fraction = "glicksman:geometry=0.5,minimum_fluidization_velocity=0.36 m/s", \
+            "glicksman:geometry=0.5,gas_fraction_at_minimum_fluidization=0.45"
+        both = self.strategies("--law", velocity, "--law", fraction, "--law", "link:n=2")
+        self.assertTrue(all(strategy["groups"]["u0/u_mf"]["kept"] for strategy in both))
+        told = "its u0/u_mf is taken at the gas fraction that it was told, 0.45."
+        self.assertEqual([told in strategy["warnings"] for strategy in both], [False, True, False])
+        case = os.path.join(SOURCE, "configs", "small_bed", "exact.yaml")
+        self.assertIn("u_mf at a gas fraction of 0.4328.\n", self.command("scale", case, "--law", velocity).stdout)
+        self.assertIn("u_mf at a gas fraction of 0.42.\n", self.command("scale", case, "--law", "link:n=2").stdout)
 
     def test_proposes_laws_for_a_speed_up(self):
         exact, *proposals = self.strategies("--speedup", "20")

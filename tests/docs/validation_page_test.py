@@ -45,6 +45,7 @@ class ValidationPage(unittest.TestCase):
         page = self.run_all(["spouted_bed/link", "spouted_bed/exact"], 0.02, *small)
         self.assertRegex(self.row(page[page.index("draft plates"):], "| link "), r"0\.02\d* s of 5 s")
         self.assertIn("in shares of its largest speed", page)
+        self.assertRegex(page, r"above 5 % a run warns\): link \d+\.\d %, exact \d+\.\d %\.")
         self.assertTrue((self.page.parent / "pictures" / "spouted_bed.png").exists())
 
 

@@ -77,6 +77,9 @@ TEST_F(BedCache, IsAnotherBedWhenAnythingThatShapesItChanges) {
   FillOptions longer = options_for(scene());
   longer.dt *= 2;
   EXPECT_NE(key, bed_key(scene(), law, longer));
+  FillOptions rebuilt = options_for(scene());   // the same id and version, another file
+  rebuilt.law_sha256 = "0";
+  EXPECT_NE(key, bed_key(scene(), law, rebuilt));
   // The gas and the output do not shape a bed.
   EXPECT_EQ(key, changed([](ModelScene& s) { s.gas_density = 2; }));
   EXPECT_EQ(key, changed([](ModelScene& s) { s.output.vtk_every = 2; }));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bed_of_springs.h"
+#include "particles/bed_file.h"
 #include "particles/particle_file.h"
 #include "scene/messages.h"
 
@@ -68,7 +69,7 @@ TEST_F(ParticleFile, CsvErrorsNameFileLineAndWhatWasExpected) {
   EXPECT_EQ(refusal("bed.csv", "x,y,height\n"),
             "bed.csv:1: expected a header with the column z, found \"x,y,height\".\n"
             "  The first line names the columns: x,y,z and any of vx,vy,vz,diameter (or radius),density.");
-  EXPECT_EQ(refusal("bed.csv", "x [mm],y,z\n"), "bed.csv:1: column \"x [mm]\" is read in [m] only.");
+  EXPECT_EQ(refusal("bed.csv", "x [mm],y,z\n"), "bed.csv:1: column \"x [mm]\" is read in [m] only.\n  Write x [m], or x alone, with values in metres.");
   EXPECT_EQ(refusal("bed.csv", ""), "bed.csv: expected a header x,y,z,…, but the file is empty.");
 }
 
@@ -255,6 +256,62 @@ TEST_F(FillFromFile, TakesTheClassNearestInSizeOrTheType) {
   fill_bed(particles, bed, law, FillOptions{});
   EXPECT_EQ(particles.species[0], 0u);
   EXPECT_EQ(particles.species[1], 1u);
+}
+
+class BedRows : public FillFromFile {
+ protected:
+  static ParticleClass type(const std::string& name, double diameter) {
+    ParticleClass type;
+    type.name = name;
+    type.diameter = diameter;   // [m]
+    type.density = 1000;        // [kg/m^3]
+    return type;
+  }
+  RealScene read(const std::string& name, const std::string& text) {
+    RealScene bed;
+    bed.particles = {type("small", 1e-3)};
+    bed.bed.kind = FillKind::file;
+    bed.bed.file = folder.write(name, text);
+    return bed;
+  }
+};
+
+TEST_F(BedRows, LikeTheirClassAreExactlyTheClass) {
+  RealScene bed = read("bed.csv", "x,y,z,diameter,density\n0,0,0,0.001,1000\n0,0,0,0.001,1000\n");
+  read_bed_rows(bed);
+  const FileRows rows = *bed.particles[0].rows;
+  EXPECT_EQ(rows.count, 2);
+  EXPECT_EQ(rows.volume, 2);
+  EXPECT_EQ(rows.least_mass, 1);
+  EXPECT_EQ(rows.diameter_of_lightest, 1);
+  EXPECT_EQ(rows.least_diameter, 1);
+}
+
+TEST_F(BedRows, TellTheLightestAndTheSmallestOfEachClass) {
+  RealScene bed = read("bed.csv",
+                       "x,y,z,diameter,density\n"
+                       "0,0,0,0.0005,2000\n"     // 1/4 of its class's mass
+                       "0,0,0,0.00025,9000\n"    // the smallest, 9/64
+                       "0,0,0,0.0005,1000\n"     // the lightest, 1/8
+                       "0,0,0,0.004,1000\n");
+  bed.particles.push_back(type("large", 4e-3));
+  read_bed_rows(bed);
+  const FileRows small = *bed.particles[0].rows, large = *bed.particles[1].rows;
+  EXPECT_EQ(small.count, 3);
+  EXPECT_DOUBLE_EQ(small.volume, 2 * 0.125 + 1.0 / 64);
+  EXPECT_DOUBLE_EQ(small.least_mass, 0.125);
+  EXPECT_DOUBLE_EQ(small.diameter_of_lightest, 0.5);
+  EXPECT_DOUBLE_EQ(small.least_diameter, 0.25);
+  EXPECT_EQ(large.count, 1);
+  EXPECT_EQ(large.least_mass, 1);
+}
+
+TEST_F(BedRows, AreReadOnce) {
+  RealScene bed = read("bed.csv", "x,y,z\n0,0,0\n");
+  read_bed_rows(bed);
+  bed.bed.file = "gone.csv";
+  read_bed_rows(bed);
+  EXPECT_EQ(bed.particles[0].rows->count, 1);
 }
 
 TEST_F(FillFromFile, RefusesWhatIsFarFromItsClass) {

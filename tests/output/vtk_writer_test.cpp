@@ -143,6 +143,15 @@ TEST_F(VtkFiles, AreOpenedByAScriptThatPythonUnderstands) {
   EXPECT_EQ(std::system(("/usr/bin/python3 -m py_compile '" + (folder / "view.py").string() + "'").c_str()), 0);
 }
 
+TEST_F(VtkFiles, AreOpenedByAScriptThatSaysWhatItNeeds) {
+  write_view_script(directory, small_bed<RealBed>(1));
+  // Isolated: whoever runs the tests may have ParaView in PYTHONPATH or among the packages of the system.
+  const std::string without = "/usr/bin/python3 -I -S '" + (folder / "view.py").string() + "' 2> '" + (folder / "said").string() + "'";
+  EXPECT_NE(std::system(without.c_str()), 0);
+  EXPECT_EQ(text_of(folder / "said"),
+            "view.py needs ParaView's Python. Run: paraview view.py, or pvpython view.py --screenshot bed.png.\n");
+}
+
 TEST_F(VtkFiles, AreDrawnAsAPictureWithoutAScreen) {
   if (std::system("/usr/bin/python3 -c 'import matplotlib' 2> /dev/null") != 0) GTEST_SKIP() << "no python3-matplotlib";
   VtkWriter writer(directory, quarter_scale(), {});

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "beds.h"
+#include "particles/surfaces.h"
 
 namespace similitude {
 namespace {
@@ -119,6 +120,77 @@ TEST(Outlets, TheRimOfAnOpeningPushesSmoothly) {
     before = push;
   }
   EXPECT_NEAR(before, 1000 * 0.2e-3, 1e-9);
+}
+
+/// An opening of 4 x 4 mm in the middle of the bottom, cut along the given lines.
+ModelScene opening_in_pieces(const std::vector<double>& x, const std::vector<double>& y) {
+  ModelScene scene = box(0.01, 0.01, 0.01);
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    for (std::size_t j = 0; j + 1 < y.size(); ++j) {
+      scene.patches.push_back(patch(PatchKind::pressure, k_bottom, {x[i], x[i + 1]}, {y[j], y[j + 1]}, {0, 0}));
+    }
+  }
+  return scene;
+}
+
+TEST(Outlets, AnOpeningInPiecesIsTheOpening) {
+  constexpr double k_middle = 0.005;
+  const std::vector<double> whole{0.003, 0.007}, halves{0.003, k_middle, 0.007};
+  // One side of the seam was typed in other units: it differs by rounding.
+  ModelScene rounded = opening_in_pieces(halves, whole);
+  rounded.patches[1].extent[0].low = std::nextafter(k_middle, 1);
+  const Surfaces one(opening_in_pieces(whole, whole));
+  for (const ModelScene& scene : {opening_in_pieces(halves, whole), opening_in_pieces(whole, halves), opening_in_pieces(halves, halves), rounded}) {
+    const Surfaces pieces(scene);
+    ASSERT_EQ(pieces.count(), one.count());
+    for (const double x : {0.0029, 0.003, 0.0032, 0.0049, k_middle, 0.0051, 0.007}) {
+      for (const double y : {0.0029, 0.0031, 0.0049, k_middle, 0.0069}) {
+        for (const double z : {-1e-4, 3e-4}) {
+          const Row centre{x, y, z, 0.5e-3};
+          EXPECT_EQ(pieces.has_left(centre), one.has_left(centre)) << x << " " << y;
+          for (std::size_t s = 0; s < one.count(); ++s) {
+            SurfaceTouch expected, found;
+            ASSERT_EQ(pieces.nearest(s, centre, found), one.nearest(s, centre, expected));
+            EXPECT_EQ(found.distance, expected.distance) << one.name(s) << " " << x << " " << y;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Outlets, ABallOnTheSeamOfOpeningsFallsThrough) {
+  const std::vector<double> whole{0.003, 0.007}, halves{0.003, 0.005, 0.007};
+  for (const ModelScene& scene : {opening_in_pieces(whole, whole), opening_in_pieces(halves, whole), opening_in_pieces(halves, halves)}) {
+    ParticleStore store;
+    add_sphere(store, 0.00505, 0.005, 0.001);
+    store.velocity[0].z = -1;
+    const ContactModel law = make_law({});
+    Engine engine(store, scene, law, options(1e-5));
+    engine.advance(110);
+    EXPECT_EQ(engine.report().removed, 1u) << scene.patches.size() << " patches";
+  }
+}
+
+TEST(Outlets, PatchesThatCoverAFaceTogetherLeaveNoWall) {
+  const std::vector<double> sides{0, 0.005, 0.01};
+  EXPECT_EQ(Surfaces(opening_in_pieces({0, 0.01}, {0, 0.01})).count(), 5u);
+  EXPECT_EQ(Surfaces(opening_in_pieces(sides, {0, 0.01})).count(), 5u);
+  EXPECT_EQ(Surfaces(opening_in_pieces(sides, sides)).count(), 5u);
+}
+
+// Three quarters of a square: the fourth keeps its corner.
+TEST(Outlets, AnOpeningRoundACornerKeepsTheCorner) {
+  ModelScene scene = opening_in_pieces({0.003, 0.005, 0.007}, {0.003, 0.005, 0.007});
+  scene.patches.pop_back();
+  const Surfaces surfaces(scene);
+  const Row centre{0.0048, 0.0049, 0, 0.5e-3};
+  double nearest = 1;
+  SurfaceTouch touch;
+  for (std::size_t s = 0; s < surfaces.count(); ++s) {
+    if (surfaces.nearest(s, centre, touch)) nearest = std::min(nearest, touch.distance);
+  }
+  EXPECT_NEAR(nearest / std::hypot(0.2e-3, 0.1e-3), 1, 1e-12);   // rounding of the places, 25 times finer than the distance
 }
 
 TEST(Outlets, RemovalKeepsIdsVelocitiesAndHistory) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Follows the tutorials for plugin authors to the letter: follow.py [--paraview] PAGE.md…
+"""Follows tutorials to the letter, those for plugin authors and that of a bed: follow.py [--paraview] PAGE.md…
 
 Of each page, in its order and in one shell that begins in the current folder:
   ```sh            is typed; with `sh paraview` only under --paraview, as it needs ParaView itself

@@ -39,6 +39,7 @@ TEST(Alignment, TextsNameFacesAndWhatToType) {
   EXPECT_EQ(off_face_fix(Interval{67.5 * mm, 82.5 * mm}, 5 * mm),
             "Use [65 mm, 85 mm] or [70 mm, 80 mm], or set scene.domain.cell: 2.5 mm.");
   EXPECT_EQ(off_face_fix(Interval{67.123 * mm, 80 * mm}, 5 * mm), "Use [65 mm, 80 mm] or [70 mm, 80 mm].");
+  EXPECT_EQ(off_face_fix(Interval{70 * mm, 82 * mm}, 5 * mm, 2 * mm), "Use [70 mm, 80 mm] or [70 mm, 85 mm].");   // 1 mm is below a grain
   EXPECT_EQ(off_face_fix(62.5 * mm, 5 * mm), "Use 60 mm or 65 mm, or set scene.domain.cell: 2.5 mm.");
 }
 

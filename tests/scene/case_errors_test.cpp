@@ -146,11 +146,11 @@ TEST(CaseErrors, ParametersFollowThePluginsTable) {
             "attraction, tangential, terms, pair.");
   EXPECT_EQ(complaint(example_with("stiffness: 500 N/m, ", "")),
             "spout.yaml:15:12: models.contact: linear_spring needs the parameter stiffness (normal spring).\n"
-            "  Add for example stiffness: 10 N/m.");
+            "  Add for example stiffness: 2000 N/m.");
   EXPECT_EQ(complaint(example_with("{id: linear_spring, stiffness: 500 N/m, restitution: 0.74, friction: 0.2}",
                                    "linear_spring")),
             "spout.yaml:15:12: models.contact: linear_spring needs the parameter stiffness (normal spring).\n"
-            "  Write for example {id: linear_spring, stiffness: 10 N/m}.");
+            "  Write for example {id: linear_spring, stiffness: 2000 N/m, restitution: 1}.");
   EXPECT_EQ(complaint(k_example, {"models.contact.tangential=histroy"}),
             "--set: models.contact.tangential: \"histroy\" is not possible here.\n"
             "  Did you mean \"history\"?\n  Possible: history, slip.");

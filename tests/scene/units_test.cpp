@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "loader/number_text.h"
 #include "scene/units.h"
 
 namespace similitude {
@@ -77,6 +78,8 @@ TEST(Units, ErrorsNameTheDimensionAndAnExample) {
                "Write it without a unit, for example 0.3.");
   expect_error("5 mmm", "mm", "\"mmm\" is not a unit.", "Here a length is needed, for example 5 mm.");
   expect_error("5 kg/m s", "Pa s", "\"kg/m s\" can be read in two ways.", "Use brackets, for example kg/(m s).");
+  expect_error("20 C", "K", "\"C\" is not a unit.", "Write 293.15 K.");
+  expect_error("-40 °C", "K", "\"°C\" is not a unit.", "Write 233.15 K.");
   expect_error("five mm", "mm", "\"five mm\" is not a number with a unit; a length is needed.",
                "Write for example 1 mm.");
   expect_error("nan", "1", "\"nan\" is not a number.", "Write for example 1.");
@@ -92,6 +95,15 @@ TEST(Units, MessagesShowSixDigits) {
   EXPECT_EQ(format_quantity(2e9, "GPa"), "2 GPa");
   EXPECT_EQ(format_quantity(0.74, "1"), "0.74");
   EXPECT_EQ(format_quantity(1e5, "N/m"), "100000 N/m");
+}
+
+TEST(Units, TwoDigitsTakeNoExponentBelowAMillion) {
+  EXPECT_EQ(two_digits(171), "170");
+  EXPECT_EQ(two_digits(99.6), "100");
+  EXPECT_EQ(two_digits(-32100), "-32000");
+  EXPECT_EQ(two_digits(3.21), "3.2");
+  EXPECT_EQ(two_digits(0.0123), "0.012");
+  EXPECT_EQ(two_digits(3.2e7), "3.2e+07");
 }
 
 TEST(Units, ExactNumbersReadBackAsTheSameBits) {

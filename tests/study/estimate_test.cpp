@@ -96,7 +96,7 @@ TEST(MeanOfSeries, FewIndependentSamplesAreALowerBound) {
 }
 
 TEST(MeanOfSeries, TooFewRowsAreAGap) {
-  EXPECT_EQ(mean_of(every_10_ms({1, 2, 3})).gap, "fewer than 8 rows in the window of the average");
+  EXPECT_EQ(mean_of(every_10_ms({1, 2, 3})).gap, "fewer than 8 rows in the window of the average: lengthen time.end, or write more of them, e.g. output.monitors: every 5 ms");
 }
 
 TEST(FluctuationOfSeries, OfASineIsItsAmplitudeOverRootTwo) {

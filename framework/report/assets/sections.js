@@ -59,7 +59,7 @@ function frontier_section() {
     })));
   made.append(table("Wall time, and the error by every metric", ["case", "wall time", "speed, reference = 1", "grains", ...study.metrics.map((m) => metric_words(m.name))], rows));
   if (study.frontier.steps.length > 0)
-    made.append(element("h3", {}, "The price of each step along the frontier"), element("ul", { class: "plain" }, study.frontier.steps.map((step) => element("li", {}, `${step.from} → ${step.to}: ${short(step.time_ratio, 2)} × the time, ${(100 * step.error_change).toPrecision(2)} % of error${step.distinguishable ? "" : ", not distinguishable"}`))));
+    made.append(element("h3", {}, "The price of each step along the frontier"), element("ul", { class: "plain" }, study.frontier.steps.map((step) => element("li", {}, `${step.from} → ${step.to}: ${short(step.time_ratio, 2)} × the time, ${Number((100 * step.error_change).toPrecision(2))} % of error${step.distinguishable ? "" : ", not distinguishable"}`))));
   const alike = Object.entries(study.indistinguishable).filter(([, pairs]) => pairs.length > 0);
   if (alike.length > 0)
     made.append(element("details", {}, element("summary", {}, "Which cases cannot be told apart"), element("ul", { class: "plain" }, alike.map(([name, pairs]) => element("li", {}, `${metric_words(name)}: ${pairs.map((pair) => pair.join(" and ")).join("; ")}`)))));

@@ -22,7 +22,7 @@ struct FluentDem {
     p.real("mu_stick", &L::mu_stick, {.def = 0.5, .min = 0, .doc = "Friction coefficient of a contact at rest."});
     p.real("mu_glide", &L::mu_glide, {.def = 0.2, .min = 0, .doc = "Friction coefficient of a gliding contact."});
     p.real("v_glide", &L::v_glide,
-           {.unit = "m/s", .def = 1, .min = 0, .doc = "Sliding speed from which a contact glides. Scales as a velocity."});
+           {.unit = "m/s", .def = 1, .min = 0, .doc = "Sliding speed from which a contact glides."});
   }
 
   void prepare() {

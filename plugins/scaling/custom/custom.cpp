@@ -13,8 +13,11 @@ struct Custom {
     const auto ratio = [&p](const char* name, double L::*member, std::optional<double> def, const char* doc) {
       p.real(name, member, {.def = def, .min = 1e-9, .max = 1e9, .doc = doc});
     };
-    ratio("length", &L::length, {}, "Of the bed, simulated over real as all ratios.");
-    ratio("diameter", &L::diameter, {}, "Of what touches.");
+    const auto size = [&p](const char* name, double L::*member, const char* doc) {
+      p.real(name, member, {.min = 1e-9, .max = 1e9, .typical_min = 1.0 / 16, .typical_max = 4, .doc = doc});
+    };
+    size("length", &L::length, "Of the bed, simulated over real as all ratios.");
+    size("diameter", &L::diameter, "Of what touches.");
     ratio("drag_diameter", &L::drag_diameter, not_given, "Of what the gas sees; the diameter if left out.");
     ratio("particle_density", &L::particle_density, 1, "Of the particles' material.");
     ratio("gas_density", &L::gas_density, 1, "Of the gas.");

@@ -31,5 +31,7 @@ struct TerminalVelocity {
 
 }  // namespace
 
-SIMILITUDE_SCALING_LAW(TerminalVelocity, "terminal_velocity", "1.0.0", "Smaller bed, larger particles, same u0/u_t",
-                       "Similitude authors")
+SIMILITUDE_SCALING_LAW(TerminalVelocity, "terminal_velocity", "1.0.0", "Smaller bed, relatively larger particles, same u0/u_t",
+                       "Similitude authors",
+                       "Banerjee & Agarwal, of a spouted bed of gamma-alumina (journal and year not known here); the same authors with glass "
+                       "beads: Energy & Fuels (2016), doi 10.1021/acs.energyfuels.6b00855")

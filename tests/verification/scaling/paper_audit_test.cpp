@@ -210,6 +210,11 @@ std::string claims() {
 std::string page() {
   std::string text =
       "# The paper, recomputed\n\n"
+      "**The paper** is the one in which S. Banerjee and R. K. Agarwal propose the terminal-velocity law, for Sutkar et al.'s spouted bed with draft "
+      "plates and grains of gamma-alumina. Its journal, year and doi are not known here: what could be found is its forerunner with glass "
+      "beads, which is another paper (Banerjee, S. & Agarwal, R. K. (2016), Characterization of Scaling Laws in Computational Fluid Dynamics "
+      "Simulations of Spouted Fluidized Beds for Chemical Looping Combustion, Energy & Fuels, doi 10.1021/acs.energyfuels.6b00855). Numbers of tables "
+      "and equations below are those of the alumina paper.\n\n"
       "The paper that proposed the terminal-velocity law compares four ways to simulate a spouted bed of 461 000 grains of alumina. Each number "
       "of its Table 1 and each of its equations was recomputed with the formulas and plugins of this program. Numbers that a run cannot "
       "reproduce are given with the right value. This page is written by tests/verification/scaling/paper_audit_test.cpp, which "
