@@ -2,16 +2,12 @@
 
 #include <cmath>
 
+#include <similitude/drag_law.h>
+
 namespace similitude {
 
-double schiller_naumann(double reynolds) {
-  return reynolds < 1000 ? 24 / reynolds * (1 + 0.15 * std::pow(reynolds, 0.687)) : 0.44;
-}
-
-double dalla_valle(double reynolds) {
-  const double root = 0.63 + 4.8 / std::sqrt(reynolds);
-  return root * root;
-}
+double schiller_naumann(double reynolds) { return schiller_naumann<double>(reynolds); }
+double dalla_valle(double reynolds) { return dalla_valle<double>(reynolds); }
 
 double terminal_velocity_newton(const SphereInGas& s) {
   return std::sqrt(3 * s.gravity * s.diameter * (s.particle_density - s.gas_density) / s.gas_density);
@@ -51,7 +47,7 @@ Groups groups(const similitude_bed& bed, double gas_fraction_at_minimum) {
   g.jet = bed.gas_density * (bed.largest_inlet_velocity * bed.largest_inlet_velocity) /
           (buoyant_density * bed.gravity * length);
   g.over_minimum = u0 / minimum_fluidisation_ergun(sphere, gas_fraction_at_minimum);
-  g.over_terminal = u0 / terminal_velocity(sphere, schiller_naumann);
+  g.over_terminal = u0 / terminal_velocity(sphere, schiller_naumann<double>);
   g.over_terminal_newton = u0 / terminal_velocity_newton(sphere);
   return g;
 }

@@ -8,9 +8,8 @@
 
 namespace similitude {
 
-/// Schiller & Naumann (1935): 24/Re (1 + 0.15 Re^0.687), 0.44 from Re = 1000.
+/// C_D of Schiller & Naumann, and of Dalla Valle, the single-particle limit of Syamlal-O'Brien: those of drag_law.h.
 double schiller_naumann(double reynolds);
-/// Dalla Valle (1948): (0.63 + 4.8/sqrt(Re))^2; the single-particle limit of Syamlal-O'Brien.
 double dalla_valle(double reynolds);
 
 /// [m/s], sqrt(3 g d (rho_p - rho_f)/rho_f): Newton's regime, C_D = 4/9; Eq. 18 of the u_t law. Too high below Re ~ 750.

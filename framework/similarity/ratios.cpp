@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <similitude/sphere.h>
+#include <similitude/sphere_in_gas.h>
 
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
@@ -83,7 +84,7 @@ double solids_volume(const Scene<Bed>& scene) {
 }
 
 template <class Bed>
-similitude_bed described(const Scene<Bed>& scene) {
+similitude_bed described(const Scene<Bed>& scene, std::size_t seen_by) {
   similitude_bed bed{};
   bed.struct_size = sizeof bed;
   bed.dimension = 3;
@@ -99,15 +100,15 @@ similitude_bed described(const Scene<Bed>& scene) {
   bed.largest_shear_rate = largest_shear_rate(scene, flow.mean);
   if (scene.particles.empty()) return bed;
 
-  const ParticleClass& first = scene.particles.front();
-  bed.particle_diameter = first.diameter;
-  bed.particle_density = first.density;
-  bed.drag_diameter = first.drag_diameter;
+  const ParticleClass& one = scene.particles.at(seen_by);
+  bed.particle_diameter = one.diameter;
+  bed.particle_density = one.density;
+  bed.drag_diameter = one.drag_diameter;
   if (scene.bed.kind == FillKind::none) return bed;
   const double area = scene.size[0] * scene.size[1];
   if (scene.bed.height) {
     bed.bed_height = *scene.bed.height;
-    bed.particle_count = std::round(bed.bed_height * area * k_settled_packing / sphere_volume(first.diameter));
+    bed.particle_count = std::round(bed.bed_height * area * k_settled_packing / sphere_volume(one.diameter));
   } else {
     bed.bed_height = solids_volume(scene) / (k_settled_packing * area);
     bed.particle_count = particle_count(scene);
@@ -329,8 +330,8 @@ std::vector<std::string> scaling_warnings(const RealScene& real, const similitud
   return warnings;
 }
 
-similitude_bed describe(const RealScene& scene) { return described(scene); }
-similitude_bed describe(const ModelScene& scene) { return described(scene); }
+similitude_bed describe(const RealScene& scene, std::size_t species) { return described(scene, species); }
+similitude_bed describe(const ModelScene& scene) { return described(scene, 0); }
 
 ModelScene simulated_bed(const RealScene& real, const similitude_ratios& ratios) {
   check_ratios(real, ratios);

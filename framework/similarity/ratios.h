@@ -21,12 +21,9 @@ struct ResultRatios {
 
 similitude_ratios identity_ratios();
 
-/// Solids fraction by which a count of particles becomes a settled height: poured, frictional spheres.
-inline constexpr double k_settled_packing = 0.58;
-
-/// The bed as a scaling law or a model sees it, by its first particle class. The settled height follows from the counts if
-/// the case gives none (plates taken as thin); count and height are 0 where they are unknown.
-similitude_bed describe(const RealScene& scene);
+/// The bed as a scaling law or a model sees it, by its first particle class or by the one that is asked for. The settled height
+/// follows from the counts if the case gives none (plates taken as thin); count and height are 0 where they are unknown.
+similitude_bed describe(const RealScene& scene, std::size_t species = 0);
 similitude_bed describe(const ModelScene& scene);
 
 /// The bed to be simulated. Lengths, speeds, times, densities, model parameters: everything is scaled here and nowhere else.

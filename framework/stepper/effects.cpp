@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "particles/contact_effects.h"
 #include "loader/number_text.h"
+#include "particles/contact_effects.h"
+#include "scene/material_pairs.h"
 #include "scene/messages.h"
+#include "scene/units.h"
 #include "similarity/ratios.h"
 
 namespace similitude {
@@ -17,19 +19,31 @@ namespace {
 
 constexpr double k_unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The number is the same thing in both models, so it is written once in a case.
+/// The different values that models of a kind hold of a parameter, over all pairs of materials and both partners: `partner_X` is X of
+/// the second partner, where it is of another material.
+std::vector<double> values_held(const Models& models, const std::string& kind, const std::string& name) {
+  std::vector<double> found;
+  const auto see = [&](const ModelChoice& model) {
+    if (model.kind != kind) return;
+    for (const ModelParameter& parameter : model.parameters) {
+      if ((parameter.name != name && parameter.name != "partner_" + name) || std::isnan(parameter.real)) continue;
+      if (std::ranges::find(found, parameter.real) == found.end()) found.push_back(parameter.real);
+    }
+  };
+  for (const ModelChoice& set : contact_sets(models)) see(set);
+  for (const ModelChoice* other : {&models.drag, &models.fluid}) see(*other);
+  return found;
+}
+
+/// The number is the same thing in both models, so it is written once in a case. Where it has several values it stays open.
 void take_from_others(ModelChoice& effect, const Catalogue& catalogue, const Models& models) {
   const PluginEntry* entry = catalogue.find("effect", effect.id);
   if (entry == nullptr) return;
   for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
     const char* kind = entry->descriptor->parameters[i].taken_from;
     if (kind == nullptr || !std::isnan(effect.parameters[i].real)) continue;
-    for (const ModelChoice* other : {&models.contact, &models.drag, &models.fluid}) {
-      if (other->kind != kind) continue;
-      for (const ModelParameter& parameter : other->parameters) {
-        if (parameter.name == effect.parameters[i].name) effect.parameters[i].real = parameter.real;
-      }
-    }
+    const std::vector<double> held = values_held(models, kind, effect.parameters[i].name);
+    if (held.size() == 1) effect.parameters[i].real = held.front();
   }
 }
 
@@ -41,34 +55,40 @@ std::vector<similitude_value> values_of(const ModelChoice& choice) {
   return values;
 }
 
-/// What the case gives of an effect's own quantities, by quantity, and of the inlet that differs most.
+/// What the case gives of an effect's own quantities to one class of particles, by quantity, and to the inlet or the other class
+/// that differs most.
 struct GivenOf {
   std::vector<double> value, inflow;
 
-  GivenOf(const EffectModel& model, const RealScene& scene)
+  GivenOf(const EffectModel& model, const RealScene& scene, std::size_t species)
       : value(model.functions().quantity_count, k_unknown), inflow(model.functions().quantity_count, k_unknown) {
     for (std::size_t q = 0; q < value.size(); ++q) {
       const similitude_quantity& quantity = model.functions().quantities[q];
       const bool of_particles = quantity.kind == SIMILITUDE_PARTICLE_SCALAR || quantity.kind == SIMILITUDE_PARTICLE_PROPERTY;
       if (of_particles) {
-        if (!scene.particles.empty()) value[q] = value_of(scene.particles.front().values, quantity.name);
+        if (!scene.particles.empty()) value[q] = value_of(scene.particles[species].values, quantity.name);
       } else {
         value[q] = value_of(quantity.kind == SIMILITUDE_WALL_PROPERTY ? scene.wall_values : scene.gas_values, quantity.name);
       }
       if (std::isnan(value[q])) value[q] = quantity.default_value;
-      if (quantity.kind != SIMILITUDE_GAS_SCALAR) continue;
-      for (const Patch& patch : scene.patches) {
-        const double flows_in = value_of(patch.values, quantity.name);
-        if (patch.kind != PatchKind::velocity || std::isnan(flows_in)) continue;
-        if (std::isnan(inflow[q]) || std::abs(flows_in - value[q]) > std::abs(inflow[q] - value[q])) inflow[q] = flows_in;
+      const auto elsewhere = [&](double other) {
+        if (std::isnan(other)) return;
+        if (std::isnan(inflow[q]) || std::abs(other - value[q]) > std::abs(inflow[q] - value[q])) inflow[q] = other;
+      };
+      if (quantity.kind == SIMILITUDE_GAS_SCALAR) {
+        for (const Patch& patch : scene.patches)
+          if (patch.kind == PatchKind::velocity) elsewhere(value_of(patch.values, quantity.name));
+      } else if (quantity.kind == SIMILITUDE_PARTICLE_SCALAR) {
+        for (std::size_t other = 0; other < scene.particles.size(); ++other)
+          if (other != species) elsewhere(value_of(scene.particles[other].values, quantity.name));
       }
     }
   }
 };
 
-similitude_relevance relevance_of(const EffectModel& model, const RealScene& scene, const similitude_bed& bed,
+similitude_relevance relevance_of(const EffectModel& model, const RealScene& scene, const similitude_bed& bed, std::size_t species,
                                   const similitude_occurred* occurred) {
-  const GivenOf given(model, scene);
+  const GivenOf given(model, scene, species);
   const similitude_evidence evidence{.struct_size = sizeof evidence,
                                      .reserved = 0,
                                      .bed = &bed,
@@ -82,12 +102,24 @@ similitude_relevance relevance_of(const EffectModel& model, const RealScene& sce
   return relevance;
 }
 
+/// Does one class need the effect less than the other? What cannot be told stands between negligible and needed.
+bool less_in_need(const similitude_relevance& one, const similitude_relevance& other) {
+  const auto need = [](const similitude_relevance& r) { return r.verdict == 1 ? 2 : r.verdict == 0 ? 0 : 1; };
+  if (need(one) != need(other)) return need(one) < need(other);
+  return one.needed_below != 0 ? one.value > other.value : one.value < other.value;
+}
+
+bool say_the_same(const similitude_relevance& one, const similitude_relevance& other) {
+  return one.verdict == other.verdict && (one.value == other.value || (std::isnan(one.value) && std::isnan(other.value)));
+}
+
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::string words(const EffectVerdict& verdict, const similitude_relevance& relevance) {
   const auto number = [](double value) { return std::isnan(value) ? std::string("unknown") : two_digits(value); };
   std::string value = number(verdict.value);
   if (verdict.lowest < verdict.highest) value = number(verdict.lowest) + " ... " + number(verdict.highest);
+  if (!verdict.species.empty()) value += " for " + verdict.species;
   std::string line = fmt::format("{} = {}, needed {} {}", verdict.group, value, relevance.needed_below != 0 ? "below" : "above",
                                  number(verdict.threshold));
   if (!verdict.source.empty()) line += " (" + verdict.source + ")";
@@ -111,10 +143,35 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-std::string either(const std::vector<std::string>& names) {
+std::string joined(const std::vector<std::string>& names, const std::string& last) {
   std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
   return text;
+}
+std::string either(const std::vector<std::string>& names) { return joined(names, " or "); }
+
+/// An effect has one value of what it takes from the contact law. It may not need it; if it does, partners must be alike.
+void refuse_unlike_partners(const ModelChoice& effect, const Catalogue& catalogue, const RealScene& scene) {
+  const PluginEntry* entry = catalogue.find("effect", effect.id);
+  if (entry == nullptr) return;
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i) {
+    const similitude_parameter& row = entry->descriptor->parameters[i];
+    if (row.taken_from == nullptr || !std::isnan(effect.parameters[i].real)) continue;
+    const std::vector<double> held = values_held(scene.models, row.taken_from, row.name);
+    if (held.size() < 2) continue;
+    try {
+      create_model<similitude_effect_functions>(*entry, describe(scene), values_of(effect));
+      return;   // it does without
+    } catch (const PluginError&) {
+      std::vector<std::string> values;
+      for (const double value : held) values.push_back(format_quantity(value, row.unit));
+      throw InputError(effect.mark, "models.effects",
+                       fmt::format("{} works with one {}, but the partners in models.{} have {}.", effect.id, row.name, row.taken_from,
+                                   joined(values, " and ")),
+                       fmt::format("Give all pairs and partners of models.{} the same {}, or leave {} out of models.effects.",
+                                   row.taken_from, row.name, effect.id));
+    }
+  }
 }
 
 }  // namespace
@@ -138,7 +195,10 @@ void choose_effects(RealScene& scene, const Catalogue& catalogue) {
       if (verdict.verdict == 1) scene.models.effects.push_back(effect_with_defaults(*catalogue.find("effect", verdict.id)));
     }
   }
-  for (ModelChoice& effect : scene.models.effects) take_from_others(effect, catalogue, scene.models);
+  for (ModelChoice& effect : scene.models.effects) {
+    take_from_others(effect, catalogue, scene.models);
+    refuse_unlike_partners(effect, catalogue, scene);
+  }
 }
 
 void check_partners(const RealScene& scene, std::span<const EffectModel> effects) {
@@ -165,7 +225,6 @@ void check_partners(const RealScene& scene, std::span<const EffectModel> effects
 
 std::vector<EffectVerdict> judge_effects(const RealScene& scene, const Catalogue& catalogue, const similitude_occurred* occurred) {
   std::vector<EffectVerdict> verdicts;
-  const similitude_bed bed = describe(scene);
   for (const std::string& id : catalogue.ids("effect")) {
     const PluginEntry& entry = *catalogue.find("effect", id);
     ModelChoice choice = effect_with_defaults(entry);
@@ -178,8 +237,16 @@ std::vector<EffectVerdict> judge_effects(const RealScene& scene, const Catalogue
     take_from_others(choice, catalogue, scene.models);
     verdict.id = id;
     try {
-      const EffectModel model = create_model<similitude_effect_functions>(entry, bed, values_of(choice));
-      const similitude_relevance relevance = relevance_of(model, scene, bed, occurred);
+      std::vector<similitude_relevance> said;
+      for (std::size_t species = 0; species == 0 || species < scene.particles.size(); ++species) {
+        const similitude_bed bed = describe(scene, species);
+        const EffectModel model = create_model<similitude_effect_functions>(entry, bed, values_of(choice));
+        said.push_back(relevance_of(model, scene, bed, species, occurred));
+      }
+      const auto decisive = std::ranges::max_element(said, less_in_need);
+      const similitude_relevance& relevance = *decisive;
+      if (!std::ranges::all_of(said, [&](const similitude_relevance& other) { return say_the_same(other, relevance); }))
+        verdict.species = scene.particles[static_cast<std::size_t>(decisive - said.begin())].name;
       verdict.group = text_of(relevance.group);
       verdict.source = text_of(relevance.source);
       verdict.value = relevance.value;

@@ -14,6 +14,7 @@ namespace similitude {
 /// An effect's judgement of a bed, in words and numbers.
 struct EffectVerdict {
   std::string id, group, source, because;
+  std::string species;                  // the class of particles that decides; empty where all say the same
   double value = 0, threshold = 0;      // NaN: not known
   double lowest = 0, highest = 0;       // the range that the value may have
   int verdict = -1;                     // 1 needed, 0 negligible, -1 cannot tell
@@ -28,14 +29,15 @@ ModelChoice effect_with_defaults(const PluginEntry& effect);
 inline bool asks_for_effects(const RealScene& scene) { return scene.models.effects_auto || !scene.models.effects.empty(); }
 
 /// In the real bed, before it is scaled: `effects: auto` becomes the list of those whose verdict is that they are needed, and
-/// parameters left out that another model has are taken from there. [setup]
+/// parameters left out that another model has are taken from there. Throws InputError if an effect needs one value and the pairs
+/// and partners of the contact law have several. [setup]
 void choose_effects(RealScene& scene, const Catalogue& catalogue);
 
 /// Throws InputError if an effect lacks a partner or meets a model that it conflicts with, saying what to add or leave out. [setup]
 void check_partners(const RealScene& scene, std::span<const EffectModel> effects);
 
-/// Every effect of the catalogue on this bed, with the case's parameters where it lists it, else with its defaults. `occurred`:
-/// what a run saw, or null. [setup][main]
+/// Every effect of the catalogue on this bed, with the case's parameters where it lists it, else with its defaults. Each class of
+/// particles is asked for; the one most in need decides. `occurred`: what a run saw, or null. [setup][main]
 std::vector<EffectVerdict> judge_effects(const RealScene& scene, const Catalogue& catalogue, const similitude_occurred* occurred);
 
 }  // namespace similitude

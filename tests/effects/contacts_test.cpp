@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "columns.h"
 #include "effect_case.h"
 #include "particles/contact_effects.h"
@@ -40,6 +42,74 @@ TEST(RollingFriction, LeavesABallThatRollsFreelyAlone) {
   const auto bed = rolling("[]", 0.1);
   run_until(*bed, 0.02);
   EXPECT_NEAR(bed->simulation->particles().velocity[0].x, 0.1, 1e-6 * 0.1);
+}
+
+// A ball pressed into a corner that spins along both walls: 2/5 m R^2 dw/dt = -2 mu_r R m g, then rest. If each contact might stop
+// the spin alone, two would turn it round, w' = w - 2 w, for ever.
+TEST(RollingFriction, SeveralContactsTogetherNeverTurnASpinRound) {
+  EffectCase corner{.gravity = "[-9.81 m/s^2, -9.81 m/s^2, 0 m/s^2]",
+                    .contact = "{id: linear_spring, stiffness: 1000 N/m, restitution: 0.5, friction: 0}",
+                    .effects = "[{id: rolling_friction, coefficient: 0.01}]"};
+  const double radius = corner.diameter / 2, place = radius - corner.mass() * 9.81 / k_stiffness;
+  const double braking = 2 * 0.01 * 9.81 / (0.4 * radius);   // [rad/s^2]
+  const double spin = 50.5 * braking * corner.dt;            // gone after some fifty steps
+  const auto bed = corner.with({{.place = {place, place, 0.02}, .spin = {0, 0, spin}}});
+  const auto turns = [&] { return bed->simulation->particles().angular_velocity[0].z; };
+  for (int step = 0; step < 20; ++step) bed->simulation->step();
+  EXPECT_NEAR(turns(), spin - 20 * braking * corner.dt, 1e-4 * spin);   // the lever is R less 1.3e-5 of it
+  for (int step = 20; step < 500; ++step) {
+    bed->simulation->step();
+    ASSERT_GE(turns(), 0) << step;
+  }
+  EXPECT_LT(turns(), 1e-9 * spin);
+}
+
+// The price of a couple without memory: on a slope that the coefficient could hold, the couple that stops within twelve steps is a
+// dashpot, and the ball creeps at 12 g sin(a) dt / (2/5).
+TEST(RollingFriction, WithoutMemoryABallCreepsDownASlope) {
+  const double slope = 0.05;
+  EffectCase tilted{.gravity = fmt::format("[{} m/s^2, 0 m/s^2, {} m/s^2]", 9.81 * std::sin(slope), -9.81 * std::cos(slope)),
+                    .effects = "[{id: rolling_friction, coefficient: 0.1}]", .dt = 4e-6, .sub_steps = 25};
+  const double radius = tilted.diameter / 2, sunk = tilted.mass() * 9.81 * std::cos(slope) / k_stiffness;
+  const auto bed = tilted.with({{.place = {0.005, 0.02, radius - sunk}}});
+  run_until(*bed, 0.05);
+  const double creep = 30 * 9.81 * std::sin(slope) * tilted.dt;
+  EXPECT_NEAR(bed->simulation->particles().velocity[0].x, creep, 1e-3 * creep);
+}
+
+/// [-], rotational energy over m g d of a bed that has lain for a while, of half of its spheres. Not of all: one contact, or
+/// two opposite ones, let a sphere twist freely about the normal.
+double rotation_at_rest(const std::string& effects) {
+  const auto bed = small_bed(R"(
+similitude: 1
+title: heap
+scene:
+  domain:    {size: [5 mm, 5 mm, 12 mm], cell: 1 mm}
+  gas:       {density: 1.2 kg/m^3, viscosity: 1.8e-5 Pa s}
+  particles: {ball: {diameter: 1 mm, density: 2500 kg/m^3, count: 100}}
+  bed:       {fill: lattice}
+models: {drag: schiller_naumann, fluid: prescribed, scaling: exact,
+         contact: {id: linear_spring, stiffness: 100 N/m, restitution: 0.5, friction: 0.5}, effects: )" + effects + R"(}
+time: {end: 1 s, dt: auto}
+)");
+  run_until(*bed, 0.2);
+  const ParticleStore& balls = bed->simulation->particles();
+  std::vector<double> energy;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Row& spin = balls.angular_velocity[i];   // and the moment of inertia
+    energy.push_back(spin.w / 2 * (spin.x * spin.x + spin.y * spin.y + spin.z * spin.z));
+  }
+  const auto middle = energy.begin() + static_cast<std::ptrdiff_t>(energy.size() / 2);
+  std::nth_element(energy.begin(), middle, energy.end());
+  return *middle / (balls.velocity[0].w * 9.81 * 1e-3);
+}
+
+// The friction of the contact law alone brings this bed to rest; resistance against rolling must not keep it awake. A limit that
+// leaves the other contacts no room keeps 2e-7.
+TEST(RollingFriction, ABedComesToRestWithItAsWithout) {
+  for (const char* effects : {"[]", "[{id: rolling_friction, coefficient: 0.2}]", "[{id: rolling_friction, coefficient: 0.2, model: epsd}]"}) {
+    EXPECT_LT(rotation_at_rest(effects), 1e-9) << effects;
+  }
 }
 
 /// What cohesion adds along the normal, of two spheres of radius R1 and R2, per overlap.

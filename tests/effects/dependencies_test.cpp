@@ -54,6 +54,8 @@ std::string refusal_of(const std::string& contact, const std::string& effects) {
     assemble(case_of(given.yaml()).scene, built_plugins());
   } catch (const PluginError& error) {
     return error.what();
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(std::string(error.what()).find("models.effects"));   // without file and place
   }
   return "";
 }
@@ -70,6 +72,40 @@ TEST(Dependencies, WhatTheContactLawKnowsIsTakenFromThere) {
   EXPECT_NE(refusal_of(k_hertz, "[{id: rolling_friction, coefficient: 0.1, model: epsd}]")
                 .find("the rolling spring of epsd needs the contact's normal stiffness, and this contact law declares none.\n  Give stiffness"),
             std::string::npos);
+}
+
+// JKR takes Hertz's force away and gives its own: with another E* than the contact law's a force of neither would be left.
+TEST(Dependencies, UnlikePartnersAreRefusedByEffectsOfOneMaterial) {
+  const auto hertz = [](const std::string& more) {
+    return "{id: hertz_mindlin, youngs_modulus: 10 MPa, poisson_ratio: 0.25, restitution: 0.5, friction: 0.3" + more + "}";
+  };
+  const std::string jkr = "[{id: cohesion, model: jkr, surface_energy: 0.05 J/m^2}]";
+  EXPECT_EQ(refusal_of(hertz(", partner_youngs_modulus: 1 MPa"), jkr),
+            "models.effects: cohesion works with one youngs_modulus, but the partners in models.contact have 1e+07 Pa and 1e+06 Pa.\n"
+            "  Give all pairs and partners of models.contact the same youngs_modulus, or leave cohesion out of models.effects.");
+  EXPECT_NE(refusal_of(hertz(", partner_poisson_ratio: 0.4"), jkr).find("with one poisson_ratio, but"), std::string::npos);
+  EXPECT_EQ(refusal_of(hertz(", partner_youngs_modulus: 10 MPa"), jkr), "");
+  EXPECT_EQ(refusal_of(hertz(", partner_youngs_modulus: 1 MPa"), "[cohesion]"), "");   // van der Waals has no E*
+
+  const std::string pairs = "{id: linear_spring, restitution: 0.5, friction: 0.3, pair: {ball-ball: {stiffness: 1000 N/m}, "
+                            "ball-wall: {stiffness: 500 N/m}}}";
+  EXPECT_NE(refusal_of(pairs, "[{id: rolling_friction, coefficient: 0.1, model: epsd}]").find("with one stiffness, but"), std::string::npos);
+  EXPECT_EQ(refusal_of(pairs, "[{id: rolling_friction, coefficient: 0.1}]"), "");
+  EXPECT_EQ(refusal_of(pairs, "[{id: rolling_friction, coefficient: 0.1, model: epsd, stiffness: 500 N/m}]"), "");
+}
+
+struct Speechless {
+  Relevance relevance(const Evidence&) const { throw std::invalid_argument("a bed without walls cannot be judged."); }
+};
+
+TEST(Dependencies, WhatAnEffectSaysInsteadOfAVerdictIsHeard) {
+  const similitude_descriptor descriptor = effect<Speechless>({.id = "speechless", .version = "1.0.0", .title = "Cannot judge"});
+  const Catalogue catalogue(std::vector<PluginEntry>{{.descriptor = &descriptor, .file = {}, .level = {}, .hides = {}}});
+  testing::internal::CaptureStderr();
+  const std::vector<EffectVerdict> verdicts = judge_effects(case_of(EffectCase{}.yaml()).scene, catalogue, nullptr);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "warning: relevance: a bed without walls cannot be judged.\n");
+  ASSERT_EQ(verdicts.size(), 1u);
+  EXPECT_EQ(verdicts[0].verdict, -1);
 }
 
 // A quarter of the length at the same density: weights fall by 4^3, and with them what holds grains together.

@@ -115,7 +115,10 @@ struct Heat {
       highest = std::max(highest, kelvin);
     };
     for (const unsigned q : {unsigned(gas_temperature), unsigned(temperature), unsigned(wall_temperature)}) see(evidence.value[q]);
-    if (evidence.inflow_value != nullptr) see(evidence.inflow_value[gas_temperature]);
+    if (evidence.inflow_value != nullptr) {
+      see(evidence.inflow_value[gas_temperature]);
+      see(evidence.inflow_value[temperature]);
+    }
     if (!(highest > 0)) return r;
     r.missing = nullptr;
     r.value = (highest - lowest) / lowest;

@@ -1,4 +1,5 @@
 #include <similitude/effect.h>
+#include <similitude/sphere_in_gas.h>
 
 #include "kinetics.h"
 
@@ -125,16 +126,16 @@ struct OxygenCarrier {
     if (!given) return r;
     r.missing = nullptr;
     r.value = 0;
-    if (fraction > 0 && bed.bed_height > 0 && bed.superficial_velocity > 0) {
+    if (fraction > 0 && bed.bed_height > 0) {
       if (!(capacity > 0)) {
         r.missing = "scene.particles: oxygen_capacity";
         return r;
       }
-      constexpr double k_settled_solids = 0.58;   // [-], as where the bed's height comes from
       const double initial = sphere_ ? 3 : 1;
-      const double taken = k_settled_solids * bed.particle_density * capacity * stoichiometry_.gas_per_oxygen * initial *
+      const double taken = similitude::k_settled_packing * bed.particle_density * capacity * stoichiometry_.gas_per_oxygen * initial *
                            pace(fraction, gas_density_);   // [kg/(m^3 s)]
-      r.value = taken / (fraction * gas_density_) * bed.bed_height / bed.superficial_velocity;
+      const double speed = std::abs(bed.superficial_velocity);   // at rest the gas has all the time that it needs
+      r.value = speed > 0 ? taken / (fraction * gas_density_) * bed.bed_height / speed : std::numeric_limits<double>::infinity();
     }
     r.verdict = r.value > r.threshold ? similitude::Verdict::needed : similitude::Verdict::negligible;
     return r;

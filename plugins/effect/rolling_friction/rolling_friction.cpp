@@ -5,7 +5,7 @@
 namespace {
 using namespace similitude;
 
-constexpr double k_settled_packing = 0.58;   // [-], of poured, frictional spheres
+constexpr double k_neighbours = 12;   // at most, of a sphere among equal ones
 
 /// Resistance against rolling, of spheres that are not quite round. Ai, Chen, Rotter & Ooi (2011), Powder Technol. 206, 269:
 /// model A (constant torque) and model C (elastic-plastic spring-dashpot, EPSD).
@@ -62,14 +62,15 @@ struct RollingFriction {
     return coefficient * c.effective_radius() * max(c.law_normal_force(), V(0));
   }
 
-  /// Against the rolling, but never so much that one step would turn it round.
+  /// Against the rolling, but never so much that one step would turn it round: each contact takes at most its share of what stops
+  /// the spin, for a sphere has up to twelve at once.
   template <class V>
   Force<V> contact(const EffectContact<V>& c) const {
     const Vec3<V> spin = rolling(c);
     const V speed = magnitude(spin);
     const V radius = min(c.radius_i, c.radius_j);
-    const V turn_back = 0.4 * c.effective_mass * (radius * radius) / c.dt;   // [N m s], solid spheres: 2/5 m r^2
-    const V factor = min(largest_torque(c) / speed, turn_back);
+    const V stopping = 0.4 / k_neighbours * c.effective_mass * (radius * radius) / c.dt;   // [N m s], solid spheres: 2/5 m r^2
+    const V factor = min(largest_torque(c) / speed, stopping);
     return {{V(0), V(0), V(0)}, select(speed > 0.0, -factor, V(0)) * spin};
   }
 

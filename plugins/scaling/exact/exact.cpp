@@ -1,4 +1,4 @@
-#include <similitude/scaling_law.h>
+#include <similitude/scaling_families.h>
 
 namespace {
 using namespace similitude;
@@ -13,11 +13,7 @@ struct Exact {
   }
 
   /// Both densities are kept, so every length scales as r, speeds and times as sqrt(r), and the viscosity must follow.
-  Ratios ratios(const Bed&) const {
-    const double r = geometry, root = std::sqrt(r);
-    return {.length = r, .diameter = r, .drag_diameter = r, .gas_viscosity = r * root, .velocity = root, .time = root,
-            .stiffness = r * r, .modulus = r};
-  }
+  Ratios ratios(const Bed& real) const { return similar_bed(real, geometry, geometry, 1); }
 };
 
 }  // namespace

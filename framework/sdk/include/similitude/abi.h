@@ -102,7 +102,7 @@ typedef struct similitude_bed {
   double gravity;                 /* [m/s^2], magnitude */
   double gas_density;             /* [kg/m^3] */
   double gas_viscosity;           /* [Pa s] */
-  double particle_diameter;       /* [m], of the first class; what touches */
+  double particle_diameter;       /* [m], of the first class, in evidence of the one that is judged; what touches */
   double particle_density;        /* [kg/m^3] */
   double drag_diameter;           /* [m], the diameter drag laws see */
   double bed_width, bed_depth, bed_height;   /* [m], domain width and depth, settled height or 0 if unknown */
@@ -434,8 +434,8 @@ typedef struct similitude_evidence {
   uint32_t struct_size;
   uint32_t reserved;
   const similitude_bed* bed;            /* the real one */
-  const double* value;                  /* by quantity, of the first particle class; NaN where the case gives none */
-  const double* inflow_value;           /* by quantity, of gas scalars: of the inlet that differs most from `value` */
+  const double* value;                  /* by quantity, of the particle class that is judged; NaN where the case gives none */
+  const double* inflow_value;           /* of scalars: of the inlet, or the other particle class, that differs most; NaN: none */
   const similitude_occurred* occurred;  /* null before a run */
 } similitude_evidence;
 

@@ -45,10 +45,11 @@ struct Relevance {
 };
 
 /// What an effect judges by: the real bed, what the case gives of the effect's own quantities, and, after a run, what occurred.
+/// Each class of particles is judged by itself, and the verdict most in need holds.
 struct Evidence {
-  Bed bed;
+  Bed bed;                                // its particles are those of the class
   const double* value = nullptr;          // by quantity; null without quantities
-  const double* inflow_value = nullptr;   // by quantity
+  const double* inflow_value = nullptr;   // by quantity: of the inlet, or of the other class, that differs most; NaN: none
   const similitude_occurred* occurred = nullptr;   // null before a run
 };
 
@@ -133,13 +134,13 @@ struct EffectTable {
   static void relevance(const void* model, const similitude_evidence* given, similitude_relevance* out) noexcept {
     Relevance r;
     if constexpr (judges) {
-      similitude_status ignored{};   // an effect that cannot judge cannot tell
-      guarded(&ignored, -1, [&] {
+      number_or_nan<Effect>(model, "relevance", [&] {   // an effect that cannot judge cannot tell, and its words go to the log
         const similitude_evidence known = as_known_here(given);
         similitude_occurred occurred{};
         if (known.occurred) occurred = as_known_here(known.occurred);
         r = model_of<Effect>(model).relevance(
             Evidence{as_known_here(known.bed), known.value, known.inflow_value, known.occurred ? &occurred : nullptr});
+        return r.value;
       });
     }
     similitude_relevance all{};

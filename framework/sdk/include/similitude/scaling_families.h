@@ -18,8 +18,9 @@ inline void require_heavy_particles(const Bed& real, const char* law) {
 }
 
 /// Particle density of a similar bed over its gas density, both as ratios: with (rho_p - rho_f)* = rho_f* r/n,
-/// rho_p* / rho_f* = r/n + (1 - r/n) rho_f/rho_p. Exactly 1 for n = r.
+/// rho_p* / rho_f* = r/n + (1 - r/n) rho_f/rho_p. Exactly 1 for n = r, also of a bed without particles.
 inline double similar_density_ratio(const Bed& real, double length, double diameter) {
+  if (length == diameter) return 1;
   const double heavier = length / diameter;
   return heavier + (1 - heavier) * (real.gas_density / real.particle_density);
 }

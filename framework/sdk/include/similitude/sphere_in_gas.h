@@ -33,6 +33,9 @@ inline double archimedes(const SphereInGas& s) {
 /// Gas fraction of a bed of spheres at minimum fluidisation where nothing better is known.
 inline constexpr double k_gas_fraction_at_minimum = 0.42;
 
+/// Solids fraction of a settled bed of poured, frictional spheres, by which a count of particles becomes a height.
+inline constexpr double k_settled_packing = 0.58;
+
 /// Constants of Ergun (1952), Chem. Eng. Prog. 48, 89. A bed is just carried when
 /// (150 (1 - eps) Re + 1.75 Re^2) / eps^3 = Ar, Re superficial.
 inline constexpr double k_ergun_viscous = 150, k_ergun_inertial = 1.75;
