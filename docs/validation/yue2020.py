@@ -172,7 +172,7 @@ def section(results, pictures):
     draw(runs, picture)
     lines = ["## The rectangular spouted bed of Yue et al. (2020)", "",
              "Set-up, assumptions and the origin of the measurements: [configs/yue2020](../configs/yue2020/README.md). Circles are "
-             "measured; lines are runs, averaged over the whole depth, with 95 % intervals.", "",
+             "measured; lines are runs, averaged over the whole depth, with 95 % intervals. Wall times hold whatever else the machine did meanwhile.", "",
              f"![particle speed over the width at six heights]({picture.parent.name}/{picture.name})", ""]
     lines += what_was_run(told)
     if not runs:

@@ -162,7 +162,7 @@ class BedFromAFile(CommandTest):
         own = self.command("check", self.write(BALL.replace("diameter: 1 mm", "diameter: 0.11 mm")), "--json")
         self.assertAlmostEqual(json.loads(own.stdout)["time_steps"]["limits"][0]["hard"] / contact["hard"], 1, places=9)
         done = self.command("check", self.write(BALL), "--set", f"time.dt={1.01 * contact['hard']} s")
-        self.assert_refused(done, 2, "is beyond the hard limit of", "(contact time: 20 steps per contact of the lightest pair)")
+        self.assert_refused(done, 2, "is beyond the hard limit of", "(contact time: stability of the integrator in a packed bed, ")
 
     def test_is_counted_before_it_is_judged(self):
         self.write("x,y,z\n" + "".join(f"{(0.5 + i) / 1e3},{(0.5 + j) / 1e3},{(0.5 + k) / 1e3}\n"
