@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "particles/in_mm.h"
 #include "particles/particle_file.h"
+#include "particles/rounded_mm.h"
 #include "particles/sphere_mass.h"
 #include "scene/messages.h"
 
@@ -62,7 +62,7 @@ void refuse_strangers(const FileParticle& particle, double diameter, double dens
                      "Give such particles a class of their own in scene.particles. Files hold metres and kg/m^3 of the real bed.");
   };
   if (far(diameter, type.diameter)) {
-    refuse("diameter of " + in_mm(diameter / options.diameter_ratio), in_mm(type.diameter / options.diameter_ratio));
+    refuse("diameter of " + rounded_mm(diameter / options.diameter_ratio), rounded_mm(type.diameter / options.diameter_ratio));
   }
   const auto in_kg = [&options](double simulated) {
     char text[32];
@@ -124,8 +124,8 @@ void fill_from_file(ParticleStore& particles, const ModelScene& scene, const Fil
       at[axis] = particle.position[axis] * options.length_ratio;
       if (at[axis] < 0 || at[axis] > scene.size[axis]) {
         throw InputError(source_of(particle, scene.bed.file) + ": " + std::string(1, "xyz"[axis]) + " = " +
-                             in_mm(particle.position[axis]) + " is outside the domain, 0 to " +
-                             in_mm(scene.size[axis] / options.length_ratio) + ".",
+                             rounded_mm(particle.position[axis]) + " is outside the domain, 0 to " +
+                             rounded_mm(scene.size[axis] / options.length_ratio) + ".",
                          "Positions are in metres of the real bed.");
       }
     }

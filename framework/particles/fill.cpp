@@ -7,8 +7,8 @@
 
 #include "particles/bed_cache.h"
 #include "particles/bed_file.h"
-#include "particles/in_mm.h"
 #include "particles/lattice.h"
+#include "particles/rounded_mm.h"
 #include "particles/settle.h"
 #include "particles/sphere_mass.h"
 #include "scene/messages.h"
@@ -42,8 +42,8 @@ std::vector<std::int64_t> counts(const ModelScene& scene) {
 void refuse_if_too_many(const ModelScene& scene, double needed) {
   if (needed <= scene.size[2]) return;
   throw InputError(scene.bed.mark, "scene.bed",
-                   "the particles do not fit: they need a height of about " + in_mm(needed) + ", the simulated domain has " +
-                       in_mm(scene.size[2]) + ".",
+                   "the particles do not fit: they need a height of about " + rounded_mm(needed) + ", the simulated domain has " +
+                       rounded_mm(scene.size[2]) + ".",
                    "Fewer particles, or a higher domain.");
 }
 
@@ -52,8 +52,8 @@ void refuse_if_too_large(const ModelScene& scene) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (scene.size[axis] >= type.diameter) continue;
       throw InputError(scene.bed.mark, "scene.bed",
-                       "particles " + type.name + " of " + in_mm(type.diameter) + " do not fit into a domain that is " +
-                           in_mm(scene.size[axis]) + " wide along " + "xyz"[axis] + " (simulated bed).",
+                       "particles " + type.name + " of " + rounded_mm(type.diameter) + " do not fit into a domain that is " +
+                           rounded_mm(scene.size[axis]) + " wide along " + "xyz"[axis] + " (simulated bed).",
                        "Smaller particles, a milder scaling, or a larger domain.");
     }
   }

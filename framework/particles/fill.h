@@ -22,7 +22,7 @@ struct FillOptions {
   std::function<ContactModel(double stiffness_factor)> softer_law;  // for settling; empty: the case's law throughout
   std::function<void(double fraction, const std::string& stage)> progress;   // 0 ... 1; may be empty
   std::string cache_folder;                                         // empty: cache_folder_of_beds()
-  std::string law_sha256;                                           // of the law's file: another build of it may settle another bed
+  std::string law_sha256 = {};                                      // of the law's file: another build of it may settle another bed
 };
 
 struct FilledBed {

@@ -96,6 +96,11 @@ struct ParticleClass {
   std::optional<std::int64_t> count;   // how many are wanted
   std::optional<FileRows> rows;     // of a bed from a file, once it is read: see particles/bed_file.h
   GivenValues values;
+
+  /// How many the bed's file holds, or the case asks for; 0: not known.
+  double known_count() const { return static_cast<double>(rows ? rows->count : count.value_or(0)); }
+  /// How many spheres of the class's own diameter have the volume of all these; 0: not known.
+  double spheres_alike() const { return rows ? rows->volume : known_count(); }
 };
 
 enum class FillKind { settle, lattice, file, none };

@@ -67,19 +67,14 @@ double largest_shear_rate(const Scene<Bed>& scene, double mean_flow) {
 template <class Bed>
 double particle_count(const Scene<Bed>& scene) {
   double count = 0;
-  for (const ParticleClass& species : scene.particles) {
-    count += static_cast<double>(species.rows ? species.rows->count : species.count.value_or(0));
-  }
+  for (const ParticleClass& species : scene.particles) count += species.known_count();
   return count;
 }
 
 template <class Bed>
 double solids_volume(const Scene<Bed>& scene) {
   double volume = 0;
-  for (const ParticleClass& species : scene.particles) {
-    const double like_the_class = species.rows ? species.rows->volume : static_cast<double>(species.count.value_or(0));
-    volume += like_the_class * sphere_volume(species.diameter);
-  }
+  for (const ParticleClass& species : scene.particles) volume += species.spheres_alike() * sphere_volume(species.diameter);
   return volume;
 }
 

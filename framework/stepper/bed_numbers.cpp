@@ -31,11 +31,6 @@ double speed_of_sound(double density) {
   return std::max(k_sound_in_air, std::sqrt(k_heat_ratio * k_atmosphere / density));
 }
 
-/// How many spheres of a class's own diameter have the volume of all that are there; 0: unknown.
-double spheres_alike(const ParticleClass& species) {
-  return species.rows ? species.rows->volume : static_cast<double>(species.count.value_or(0));
-}
-
 double finite_or_nothing(double value) { return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN(); }
 
 // --------------------------------------------------------------------------------------------------- how deep grains press
@@ -123,8 +118,8 @@ BedNumbers bed_numbers(const RealScene& scene) {
   double weight = 0;   // [N]
   for (const ParticleClass& species : scene.particles) {
     const SphereInGas sphere{species.drag_diameter, species.density, scene.gas_density, scene.gas_viscosity, bed.gravity};
-    ClassNumbers one{species.name, static_cast<double>(species.rows ? species.rows->count : species.count.value_or(0)), NAN, NAN};
-    double alike = spheres_alike(species);
+    ClassNumbers one{species.name, species.known_count(), NAN, NAN};
+    double alike = species.spheres_alike();
     if (scene.particles.size() == 1 && scene.bed.height) one.count = alike = bed.particle_count;
     if (archimedes(sphere) > 0 && std::isfinite(archimedes(sphere))) {
       one.minimum_fluidisation = finite_or_nothing(minimum_fluidisation_ergun(sphere, gas_fraction));
@@ -165,7 +160,7 @@ PredictedOverlap predicted_overlap(const Assembly& assembly) {
   for (const ParticleClass& species : scene.particles) {
     const double volume = sphere_volume(species.diameter);
     classes.push_back({species.density * volume, species.diameter / 2});
-    const double count = scene.particles.size() == 1 ? 1 : spheres_alike(species);
+    const double count = scene.particles.size() == 1 ? 1 : species.spheres_alike();
     solids += count * volume;
     mass += count * volume * species.density;
   }

@@ -6,11 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "loader/number_text.h"
-
 #include "coupling/cell_map.h"
 #include "fluid/staggered.h"
 #include "fluid/velocity_gradient.h"
+#include "loader/number_text.h"
 
 namespace similitude {
 

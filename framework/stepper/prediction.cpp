@@ -39,7 +39,7 @@ ParticleStore bed_to_try(const Assembly& assembly, const TimeSteps& steps, std::
   ModelScene loose = assembly.model;
   loose.bed.kind = FillKind::lattice;
   try {
-    fill_bed(particles, loose, assembly.contact, {.dt = steps.dt, .softer_law = {}, .progress = {}, .cache_folder = {}, .law_sha256 = {}});
+    fill_bed(particles, loose, assembly.contact, {.dt = steps.dt, .softer_law = {}, .progress = {}, .cache_folder = {}});
   } catch (const InputError&) {   // denser than a lattice
     return fill_bed(assembly, steps, {}).particles;
   }

@@ -14,9 +14,12 @@ namespace {
 constexpr double k_confidence = 0.95;
 constexpr std::size_t k_fewest_blocks = 4;  // below, Student's t says nothing useful
 constexpr std::size_t k_fewest_values = 8;
-constexpr const char* k_more_rows = ": lengthen time.end, or write more of them, e.g. output.monitors: every 5 ms";
 constexpr std::size_t k_windows = 3;  // of a spectrum, each half of the series
 constexpr std::size_t k_fewest_in_window = 16;
+
+Estimate too_few_rows(std::size_t wanted) {
+  return gap(fmt::format("fewer than {} rows in the window of the average: lengthen time.end, or write more of them, e.g. output.monitors: every 5 ms", wanted));
+}
 
 struct Blocked {
   double standard_error = 0;
@@ -158,13 +161,13 @@ Series even_series(const std::vector<double>& times, const std::vector<double>& 
 }
 
 Estimate mean_of(const Series& series) {
-  if (series.values.size() < k_fewest_values) return gap(fmt::format("fewer than {} rows in the window of the average{}", k_fewest_values, k_more_rows));
+  if (series.values.size() < k_fewest_values) return too_few_rows(k_fewest_values);
   const BlockedMean mean = blocked_mean(series.values);
   return interval_of(mean.mean, mean);
 }
 
 Estimate fluctuation_of(const Series& series) {
-  if (series.values.size() < k_fewest_values) return gap(fmt::format("fewer than {} rows in the window of the average{}", k_fewest_values, k_more_rows));
+  if (series.values.size() < k_fewest_values) return too_few_rows(k_fewest_values);
   const BlockedMean mean = blocked_mean(series.values);
   std::vector<double> squares;
   for (const double value : series.values) squares.push_back((value - mean.mean) * (value - mean.mean));
@@ -182,7 +185,7 @@ Estimate fluctuation_of(const Series& series) {
 
 Estimate dominant_frequency_of(const Series& series) {
   const std::size_t length = series.values.size() / 2;
-  if (length < k_fewest_in_window) return gap(fmt::format("fewer than {} rows in the window of the average{}", 2 * k_fewest_in_window, k_more_rows));
+  if (length < k_fewest_in_window) return too_few_rows(2 * k_fewest_in_window);
   std::vector<double> total(length / 2, 0.0), peaks;
   for (std::size_t w = 0; w < k_windows; ++w) {
     const std::vector<double> power =
