@@ -86,7 +86,7 @@ class Quickstart(unittest.TestCase):
             self.assertLess(float(row["largest_overlap [% of d]"]), 5)
 
     def test_the_window_is_told(self):
-        self.assertRegex(self.done.stdout, r"vertical_velocity at z = 0\.1 m, mean over 0\.4 \.\.\. 0\.8")
+        self.assertRegex(self.done.stdout, r"vertical_velocity \[m/s\] at z = 0\.1 m, mean over 0\.400\d \.\.\. 0\.800\d s")   # to the gas step
 
     def test_timing_adds_up(self):
         with open(os.path.join(self.out, "timing.json"), encoding="utf-8") as file:
