@@ -114,7 +114,7 @@ void refuse_scaled_scalars(const Assembly& assembly) {
     throw InputError(assembly.real.models.scaling.mark, "models.scaling",
                      assembly.real.models.scaling.id + " changes the gas, lengths or times, and " + id +
                          " does not keep pace: heat and species would be exchanged at another rate than the bed moves.",
-                     "Use exact or parcel, which leave the gas and the particle in it as they are, or leave " + id +
+                     "Use exact, parcel, bierwisch or coarse_grain, which leave the gas and the particle in it as they are, or leave " + id +
                          " out of models.effects.");
   }
 }

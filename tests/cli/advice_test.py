@@ -145,6 +145,24 @@ class Obeyed(CommandTest):
         self.assertIn("\n  Use [5 mm, 12.5 mm] or [7.5 mm, 12.5 mm].\n", self.command("check", case, "--set", "scene.particles.alumina.diameter=2 mm").stderr)
 
 
+    def test_one_friction_coefficient_in_fluent_dem(self):
+        law = "models.contact={{id: fluent_dem, stiffness: 100 N/m, restitution: 0.74, mu_stick: 0.3, mu_glide: {}, v_glide: {} m/s}}"
+        done = self.command("check", self.write(SMALL), "--set", law.format(0.2, 0))
+        self.assertIn("v_glide: the friction must fall over some speed.\n  Give a v_glide above 0; for one friction coefficient set mu_glide "
+                      "equal to mu_stick as well.\n", done.stderr)
+        self.assertEqual(self.command("check", self.write(SMALL), "--set", law.format(0.3, 1)).returncode, 0)
+
+    def test_what_chose_itself_is_printed_as_a_case_would_write_it(self):
+        dense = ("scene.gas.density=150 kg/m^3", "scene.patches.spout.velocity=0.1 m/s")
+        first = self.command("run", self.write(SMALL), "--until", "0.1 ms", *(word for setting in dense for word in ("--set", setting)))
+        effects = re.search(r"\n  effects     auto took, with default parameters: (.*)\n", first.stdout).group(1)
+        self.assertIn("{id: virtual_mass, coefficient: 0.5, crowding: single}", effects)
+        again = self.command("run", self.write(SMALL), "--until", "0.1 ms", "--force", *(word for setting in (*dense, f"models.effects=[{effects}]")
+                                                                                        for word in ("--set", setting)))
+        self.assertEqual(re.search(r"\n  effects     (.*)\n", again.stdout).group(1), ", ".join(re.findall(r"id: (\w+)", effects)))
+        self.assertEqual(re.search(r"\nstate .*", again.stdout).group(), re.search(r"\nstate .*", first.stdout).group())
+
+
 class ImpossibleBeds(CommandTest):
     def check(self, *settings):
         arguments = [word for setting in settings for word in ("--set", setting)]
