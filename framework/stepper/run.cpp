@@ -312,11 +312,16 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
                            .threads = threads});
     bed.particles.copy_rows(checkpoint.state.simulation.particles);
   } else {
-    bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
-      if (stage == said) return;
-      said = stage;
-      std::cerr << stage << " …\n";
-    });
+    try {
+      bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
+        if (stage == said) return;
+        said = stage;
+        std::cerr << stage << " …\n";
+      });
+    } catch (const Interrupted&) {
+      out << "\ninterrupted while the bed settled: nothing is kept of it\n";
+      return k_exit_of_signal + StopSignal::received();
+    }
     run.started = utc_now();
     run.particles = bed.particles.size();
     run.solids_fraction = bed.filled.solids_fraction;
