@@ -52,7 +52,7 @@ Manifest first_manifest(const CaseFile& case_file, const Assembly& assembly, con
   Manifest manifest;
   manifest.program_version = run.program_version;
   manifest.command = options.command;
-  manifest.case_file = case_file.scene.folder + "/" + case_file.scene.name + ".yaml";
+  manifest.case_file = case_file.path.string();
   manifest.plugins = run.plugins;
   manifest.machine = this_machine();
   manifest.threads = threads;
