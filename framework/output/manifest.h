@@ -48,7 +48,7 @@ struct Manifest {
   std::vector<Resumption> resumed;
   std::string started, ended;      // UTC, ISO 8601; `ended` empty while running
   std::string status = "running";  // "running", "done", "stopped", "interrupted", "failed"
-  int exit_status = -1;            // of the process; -1 while running
+  int exit_status = -1;            // of the process; -1 while running, and of a run that failed
   std::string exit_reason;         // in words: "reached the end time", a guard's message, …
   double simulated_s = 0;          // [s], of the real bed, reached
   std::string state_hash;          // "" while running

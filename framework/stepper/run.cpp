@@ -136,9 +136,33 @@ class CaseRun {
     write_manifest(directory_, manifest_, resolved_case_);
   }
 
-  /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips.
+  /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips. Whatever else is
+  /// thrown, by a full disk or for want of memory, is written into the manifest as far as that can be.
   void advance(std::int64_t gas_steps, double end) {
     Progress progress(std::cerr, Progress::screen_of_standard_error(), end);
+    try {
+      step_to(gas_steps, progress);
+      if (checkpoints_.wanted()) write_checkpoint();
+      const int signal_number = StopSignal::received();
+      if (signal_number != 0) {
+        finish(progress, "interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
+      } else {
+        finish(progress, "done", 0, "reached the end time");
+      }
+    } catch (const SimulationError&) {   // written down already
+      throw;
+    } catch (const std::exception& error) {
+      fail(progress, error.what());
+      throw;
+    }
+  }
+
+  const RunOutputs& outputs() const { return outputs_; }
+  const Occurred& occurred() const { return occurred_; }
+  const std::string& hash() const { return manifest_.state_hash; }
+
+ private:
+  void step_to(std::int64_t gas_steps, Progress& progress) {
     try {
       while (simulation_.steps_done() < gas_steps && StopSignal::received() == 0) {
         keep_a_copy();
@@ -152,20 +176,8 @@ class CaseRun {
       finish(progress, "stopped", 1, error.what());
       throw SimulationError(error.what(), where);
     }
-    if (checkpoints_.wanted()) write_checkpoint();
-    const int signal_number = StopSignal::received();
-    if (signal_number != 0) {
-      finish(progress, "interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
-    } else {
-      finish(progress, "done", 0, "reached the end time");
-    }
   }
 
-  const RunOutputs& outputs() const { return outputs_; }
-  const Occurred& occurred() const { return occurred_; }
-  const std::string& hash() const { return manifest_.state_hash; }
-
- private:
   /// For effects alone: a case that asks for none pays nothing.
   void look_at_what_occurs() {
     if (!asks_for_effects(assembly_.real) || simulation_.time() < next_look_) return;
@@ -211,6 +223,7 @@ class CaseRun {
     try {
       if (snapshots_.last()) simulation_.replay(snapshots_.last()->simulation, last_good);
     } catch (const std::exception&) {   // not the same bits a second time: nothing to trust, nothing to keep
+      spoilt_ = true;
       const std::filesystem::path newest = checkpoints_.newest();
       return newest.empty() ? "" : "The newest checkpoint is " + newest.string() + ".";
     }
@@ -235,18 +248,32 @@ class CaseRun {
   }
 
   void finish(Progress& progress, const std::string& status, int exit_status, const std::string& reason) {
-    outputs_.finish(simulation_);
+    if (!spoilt_) outputs_.finish(simulation_);
     progress.finish(progress_state());
     write_timing(directory_, {.wall_s = wall(),
                               .simulated_s = simulation_.time() / assembly_.results.time,
                               .particle_steps = simulation_.engine().report().particle_steps,
                               .stages = stages()});
+    if (!spoilt_) manifest_.state_hash = state_hash(simulation_.particles(), &simulation_.gas(), &simulation_.exchange().gas_fraction);
+    write_end(status, exit_status, reason);
+  }
+
+  /// Where it happened is not known: the state may be that of half a step, a table may be a row ahead. The last copy is whole.
+  void fail(Progress& progress, const std::string& reason) {
+    progress.finish(progress_state());
+    if (checkpoints_.wanted() && snapshots_.last()) checkpoints_.write(*snapshots_.last());
+    try {
+      write_end("failed", manifest_.exit_status, reason);
+    } catch (const std::exception&) {   // on a disk that is full this may fail as well: `reason` is thrown on
+    }
+  }
+
+  void write_end(const std::string& status, int exit_status, const std::string& reason) {
     manifest_.ended = utc_now();
     manifest_.status = status;
     manifest_.exit_status = exit_status;
     manifest_.exit_reason = reason;
     manifest_.simulated_s = simulation_.time() / assembly_.results.time;
-    manifest_.state_hash = state_hash(simulation_.particles(), &simulation_.gas(), &simulation_.exchange().gas_fraction);
     write_manifest(directory_, manifest_, resolved_case_);
   }
 
@@ -259,6 +286,7 @@ class CaseRun {
   RunOutputs outputs_;
   Occurred occurred_;
   double next_look_ = 0;                    // [s]
+  bool spoilt_ = false;                     // a guard tripped and no good state was found again
   Snapshots snapshots_;
   std::uint64_t particle_steps_before_;
   double wall_before_ = 0;                  // [s], of earlier starts
