@@ -37,10 +37,10 @@ constexpr int k_exit_of_signal = 128;   // shells' convention: 128 + signal numb
 
 void warn(const std::string& text) { std::cerr << "warning: " << text << "\n"; }
 
-RunIdentity identity_of(const CaseFile& case_file, const Assembly& assembly, const TimeSteps& steps) {
+RunIdentity run_identity(const CaseFile& case_file, const Assembly& assembly, const TimeSteps& steps) {
   RunIdentity run;
+  static_cast<CaseIdentity&>(run) = identity_of(case_file);
   run.program_version = program_version();
-  run.resolved_case = case_file.resolved;
   for (const PluginEntry& plugin : assembly.plugins) run.plugins.push_back(manifest_plugin(plugin));
   run.dt = steps.dt;
   run.sub_steps = steps.sub_steps;
@@ -116,13 +116,13 @@ std::string books(const Balances& off) {
 class CaseRun {
  public:
   /// `earlier` null: from the start.
-  CaseRun(const Assembly& assembly, Simulation& simulation, const OutputDirectory& directory, Manifest manifest, std::string resolved_case,
+  CaseRun(const Assembly& assembly, Simulation& simulation, const OutputDirectory& directory, Manifest manifest, CaseIdentity identity,
           Checkpoints& checkpoints, const RunState* earlier)
       : assembly_(assembly),
         simulation_(simulation),
         directory_(directory),
         manifest_(std::move(manifest)),
-        resolved_case_(std::move(resolved_case)),
+        identity_(std::move(identity)),
         checkpoints_(checkpoints),
         outputs_(earlier != nullptr ? RunOutputs(directory, assembly, earlier->outputs, simulation.time()) : RunOutputs(directory, assembly)),
         occurred_(assembly),
@@ -133,7 +133,7 @@ class CaseRun {
     } else {
       outputs_.observe(simulation_);
     }
-    write_manifest(directory_, manifest_, resolved_case_);
+    write_manifest(directory_, manifest_, identity_);
   }
 
   /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips. Whatever else is
@@ -274,20 +274,20 @@ class CaseRun {
     manifest_.exit_status = exit_status;
     manifest_.exit_reason = reason;
     manifest_.simulated_s = simulation_.time() / assembly_.results.time;
-    write_manifest(directory_, manifest_, resolved_case_);
+    write_manifest(directory_, manifest_, identity_);
   }
 
   const Assembly& assembly_;
   Simulation& simulation_;
   const OutputDirectory& directory_;
   Manifest manifest_;
-  std::string resolved_case_;
+  CaseIdentity identity_;
   Checkpoints& checkpoints_;
   RunOutputs outputs_;
   Occurred occurred_;
   double next_look_ = 0;                    // [s]
-  bool spoilt_ = false;                     // a guard tripped and no good state was found again
   Snapshots snapshots_;
+  bool spoilt_ = false;                     // a guard tripped and no good state was found again
   std::uint64_t particle_steps_before_;
   double wall_before_ = 0;                  // [s], of earlier starts
   std::vector<StageTime> stages_before_;
@@ -323,16 +323,17 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
       options.resume ? OutputDirectory::of_earlier_run(folder) : OutputDirectory(folder, options.force);
 
   const StopSignal stop_signal;
-  RunIdentity run = identity_of(case_file, assembly, steps);
+  RunIdentity run = run_identity(case_file, assembly, steps);
   std::optional<EarlierRun> earlier;
   StartingBed bed{.particles = ParticleStore(store_fields(assembly)), .filled = {}};
   if (options.resume) {
     earlier = newest_checkpoint(directory, warn);
     const Checkpoint& checkpoint = earlier->checkpoint;
     refuse_another_run(checkpoint.run, run);
+    const CaseIdentity now = run;
     run = checkpoint.run;
+    static_cast<CaseIdentity&>(run) = now;
     run.program_version = program_version();
-    run.resolved_case = case_file.resolved;
     run.resumed.push_back({.checkpoint = earlier->files.front().string(),
                            .simulated_s = static_cast<double>(checkpoint.state.simulation.steps_done) * steps.gas_dt() / assembly.results.time,
                            .started = utc_now(),
@@ -368,8 +369,8 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   write_audit_of(directory, assembly, catalogue);
   Checkpoints checkpoints(directory, assembly.model.output.checkpoint_every, run, earlier ? earlier->files : std::deque<std::filesystem::path>{},
                           warn);
-  CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), case_file.resolved,
-                   checkpoints, earlier ? &earlier->checkpoint.state : nullptr);
+  CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), run, checkpoints,
+                   earlier ? &earlier->checkpoint.state : nullptr);
   earlier.reset();
   case_run.advance(gas_steps, end);
 

@@ -214,6 +214,15 @@ class Refusals(ResumeTest):
         self.refused(OFTEN, 2, f"none of the checkpoints in {self.path('out')} can be read.\n"
                                "  Start the run anew with --force, or in another folder with -o.")
 
+    def test_one_out_of_reach_is_not_taken_for_damaged(self):
+        newest = self.newest("out")
+        os.rename(newest, self.path("moved.h5"))
+        os.symlink(self.path("nowhere.h5"), newest)
+        self.refused(OFTEN, 2, newest + " cannot be opened: No such file or directory.\n"
+                               "  Make it readable and resume again; if it is taken away, the checkpoint before it is used.")
+        os.replace(self.path("moved.h5"), newest)
+        self.done("out", OFTEN, "--resume")
+
     def test_none_at_all(self):
         shutil.rmtree(self.path("out/checkpoints"))
         self.refused(OFTEN, 2, "holds no checkpoint.\n  Start the run anew with --force")
@@ -263,15 +272,6 @@ class FullDisk(ResumeTest):
         self.done("whole", SMALL)
         self.assert_same_results("whole", "out")
 
-
-class Killed(ResumeTest):
-    def test_at_any_moment_a_run_goes_on_to_the_same_end(self):
-        self.done("whole", LONGER)
-        with open(self.path("whole/timing.json"), encoding="utf-8") as file:
-            duration = json.load(file)["wall_s"]
-        chance = random.Random(20260301)
-        case = self.write(LONGER)
-        killed = 0
     def test_a_table_that_can_grow_no_further_ends_the_run_where_it_can_be_gone_on_from(self):
         growing = LONGER.replace("monitors: every 1 ms", "monitors: every 50 us").replace("vtk: every 20 ms", "vtk: none")
         self.done("whole", growing)
@@ -289,6 +289,15 @@ class Killed(ResumeTest):
         self.done("out", growing, "--resume")
         self.assert_same_results("whole", "out")
 
+
+class Killed(ResumeTest):
+    def test_at_any_moment_a_run_goes_on_to_the_same_end(self):
+        self.done("whole", LONGER)
+        with open(self.path("whole/timing.json"), encoding="utf-8") as file:
+            duration = json.load(file)["wall_s"]
+        chance = random.Random(20260301)
+        case = self.write(LONGER)
+        killed = 0
         while killed < KILLS:
             more = ["--force"]   # a run from the start, killed again and again until it comes through
             while killed < KILLS:
