@@ -176,6 +176,7 @@ int check(const CheckArguments& arguments) {
   for (const std::string& warning : seen.assembly.warnings) std::cerr << "warning: " << warning << "\n";
   for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
   for (const std::string& warning : bed_warnings(seen.assembly)) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : idle_value_warnings(seen.assembly.real, plugins)) std::cerr << "warning: " << warning << "\n";
   predict_with_threads(arguments.threads);
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);

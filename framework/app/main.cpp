@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
                  "of each.\n";
     return k_wrong_input;
   } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << "\n  This is a fault of the program: please report it with the case file.\n";
+    std::cerr << "error: " << error.what() << "\n  This is a fault of the program, not of the case.\n";
     return k_stopped_by_guard;
   }
 }

@@ -26,9 +26,12 @@ fs::path templates_of(const std::string& kind) {
     if (kind == known) {
       const fs::path folder = prefix() / "share" / "similitude" / "templates" / kind;
       if (fs::is_directory(folder)) return folder;
+      const bool built_here = fs::exists(prefix() / "cmake_install.cmake");
       throw InputError("the templates of plugins are not installed: " + folder.string() + " is not there.",
-                       "Install the Debian package similitude-dev, or type in Similitude's own folder: "
-                       "cmake --install build --prefix PREFIX && PREFIX/bin/similitude plugins new …");
+                       "Install the Debian package similitude-dev" +
+                           (built_here ? ", or type: cmake --install " + prefix().string() +
+                                             " --prefix PREFIX && PREFIX/bin/similitude plugins new …"
+                                       : "."));
     }
     kinds += (kinds.empty() ? "" : ", ") + std::string(known);
   }

@@ -1,13 +1,13 @@
 # Debian packages of what `cmake --install` gives, for Debian 12 on processors of x86-64-v3:
 #   cmake --preset portable && cmake --build build-portable && (cd build-portable && cpack)
-#     similitude_<version>_amd64.deb       the program, its library, its models, the cases that ship
+#     similitude_<version>_amd64.deb       the program, its library, its models, the cases that ship, the pages of docs/
 #     similitude-dev_<version>_amd64.deb   the SDK: headers, templates, similitude_add_plugin(), examples
 # What the files need of other packages is asked of dpkg-shlibdeps (dpkg-dev).
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION ${CMAKE_INSTALL_DATADIR}/similitude COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/similitude COMPONENT development
   PATTERN build EXCLUDE PATTERN results EXCLUDE)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/plugin-authors DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/similitude-dev
-  COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/similitude COMPONENT program
+  PATTERN "*.py" EXCLUDE PATTERN __pycache__ EXCLUDE PATTERN docs/validation EXCLUDE PATTERN docs/verification EXCLUDE)   # what makes the pages
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/similitude RENAME copyright COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/similitude-dev RENAME copyright
   COMPONENT development)

@@ -84,16 +84,6 @@ const char* scaling_name(std::int32_t scales_as) {
 
 bool has_typical_range(const similitude_parameter& p) { return p.typical_minimum < p.typical_maximum; }
 
-std::string default_text(const similitude_parameter& p) {
-  if (p.required != 0) return "required";
-  if (p.type == SIMILITUDE_CHOICE) return p.default_text;
-  if (std::isnan(p.default_value)) return "left out";
-  if (p.type == SIMILITUDE_FLAG) return p.default_value != 0 ? "true" : "false";
-  char six_digits[32];  // people need no more; scripts read the JSON
-  std::snprintf(six_digits, sizeof six_digits, "%.6g", p.default_value);
-  return six_digits;
-}
-
 json default_json(const similitude_parameter& p) {
   if (p.required != 0) return {};
   if (p.type == SIMILITUDE_CHOICE) return or_null(p.default_text);
@@ -169,6 +159,16 @@ std::string refused_count_text(const Catalogue& catalogue) {
 }
 
 }  // namespace
+
+std::string default_text(const similitude_parameter& p) {
+  if (p.required != 0) return "required";
+  if (p.type == SIMILITUDE_CHOICE) return p.default_text;
+  if (std::isnan(p.default_value)) return "left out";
+  if (p.type == SIMILITUDE_FLAG) return p.default_value != 0 ? "true" : "false";
+  char six_digits[32];  // people need no more; scripts read the JSON
+  std::snprintf(six_digits, sizeof six_digits, "%.6g", p.default_value);
+  return six_digits;
+}
 
 std::string plugins_text(const Catalogue& catalogue) {
   std::vector<std::vector<std::string>> rows{{"kind", "id", "version", "title", "file"}};

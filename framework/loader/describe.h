@@ -21,6 +21,9 @@ std::string plugin_info_text(const Catalogue& catalogue, const std::string& id);
 /// "reference"}]}]}; null where there is none.
 nlohmann::json plugin_info_json(const Catalogue& catalogue, const std::string& id);
 
+/// The default of a parameter for people, without its unit: "6.5e-20", "van_der_waals", "left out", "required".
+std::string default_text(const similitude_parameter& parameter);
+
 /// Every refused file with the reason and what to do.
 std::string failures_text(const Catalogue& catalogue);
 /// {"failures": [{"file", "reason", "fix"}]}

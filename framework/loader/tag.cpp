@@ -26,7 +26,7 @@ constexpr const char* k_no_plugin_of_ours =
     "elsewhere.";
 constexpr const char* k_rebuild =
     "Rebuild it against this program: "
-    "cmake -B build -Dsimilitude_DIR=<prefix>/lib/cmake/similitude && cmake --build build";
+    "cmake -B build -DCMAKE_PREFIX_PATH=<prefix> && cmake --build build";
 
 /// A file open for reading, closed when done.
 struct OpenFile {

@@ -102,13 +102,16 @@ void read_bed_rows(RealScene& scene) {
     FileRows& rows = *scene.particles[grain.species].rows;
     // Ratios, so that a row like its class is exactly 1 and leaves every number of the class as it is.
     const double diameter = grain.diameter / type.diameter;
+    const double density = grain.density / type.density;
     const double volume = diameter * diameter * diameter;
-    const double mass = grain.density / type.density * volume;
+    const double mass = density * volume;
     if (rows.count == 0 || mass < rows.least_mass) {
       rows.least_mass = mass;
       rows.diameter_of_lightest = diameter;
     }
     rows.least_diameter = rows.count == 0 ? diameter : std::min(rows.least_diameter, diameter);
+    rows.least_density = rows.count == 0 ? density : std::min(rows.least_density, density);
+    rows.largest_density = rows.count == 0 ? density : std::max(rows.largest_density, density);
     rows.volume += volume;
     ++rows.count;
   }

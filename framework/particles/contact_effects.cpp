@@ -31,6 +31,9 @@ ContactEffects::ContactEffects(const similitude_contact_needs& law, std::span<co
     rotation_ = rotation_ || (needs.reads & SIMILITUDE_READS_ANGULAR_VELOCITY) != 0;
     couple_ = couple_ || (needs.adds & SIMILITUDE_ADDS_COUPLE) != 0;
   }
+  // What flows through contacts asks who touches, right after lists were made anew too: only what is remembered is carried over.
+  const bool flows = std::ranges::any_of(all, [](const EffectModel& effect) { return (needs_of(effect).adds & SIMILITUDE_ADDS_FLOW) != 0; });
+  if (flows && memory_.count == 0) memory_.count = 1;
 }
 
 double ContactEffects::reach(double diameter) const {

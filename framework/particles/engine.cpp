@@ -413,10 +413,10 @@ void Engine::Parts::advance(std::int64_t sub_steps) {
     travel = displacement();
   }
   for (std::int64_t n = 0; n < sub_steps; ++n) sub_step();
-  if (stale && particles.size() > 0 && sub_steps > 0) rebuild();   // who has left must not be seen outside
-  keep_deepest();
   report.contacts = 0;
   for (const BrickOutcome& outcome : outcomes) report.contacts += outcome.contacts;
+  if (stale && particles.size() > 0 && sub_steps > 0) rebuild();   // who has left must not be seen outside
+  keep_deepest();
 }
 
 void Engine::Parts::keep_deepest() {

@@ -1,7 +1,9 @@
 #include "scene/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include <similitude/abi.h>
 #include <similitude/sphere.h>
@@ -68,10 +70,20 @@ void check_particles(const RealScene& scene, const Document& document) {
   }
 }
 
-/// One simulated stiffness for all would undo what the pairs of materials say.
+bool is_stiffness(const ModelParameter& parameter) {
+  return parameter.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS && !std::isnan(parameter.real);
+}
+
+/// It must have something to replace; and one for all would undo what the pairs of materials say.
 void check_simulated_stiffness(const RealScene& scene, const Document& document) {
   const Models& models = scene.models;
   if (!models.simulated_stiffness) return;
+  const std::vector<ModelChoice> sets = models.contact_pairs.empty() ? std::vector{models.contact} : models.contact_pairs;
+  if (std::ranges::none_of(sets, [](const ModelChoice& set) { return std::ranges::any_of(set.parameters, is_stiffness); })) {
+    const std::string path = "models.scaling.stiffness";
+    throw InputError(document.mark(path), path, "the contact model " + models.contact.id + " has no spring stiffness that it could replace.",
+                     "Remove this key; a softer modulus is given to the contact model itself.");
+  }
   for (const ModelChoice& set : models.contact_pairs)
     for (std::size_t k = 0; k < set.parameters.size(); ++k) {
       const ModelParameter &own = set.parameters[k], &first = models.contact_pairs[0].parameters[k];
@@ -194,7 +206,8 @@ void check_patches(const RealScene& scene) {
 
 /// An incompressible gas that is blown in must get out.
 void check_outlet(const RealScene& scene, const Document& document) {
-  double flow = 0, largest = 0;  // [m^3/s]
+  double largest = 0;   // [m^3/s]
+  std::map<double, double> flows;   // [m^3/s] by ramp: what opens together must balance by itself, or the way there does not
   for (const Patch& patch : scene.patches) {
     if (patch.kind == PatchKind::pressure) return;
     double area = 1;
@@ -207,10 +220,18 @@ void check_outlet(const RealScene& scene, const Document& document) {
         if (axis != patch.face.axis) taken *= other.extent[index(axis)].high - other.extent[index(axis)].low;
       area -= taken;
     }
-    flow += patch.velocity * area;
+    flows[patch.ramp] += patch.velocity * area;
     largest = std::max(largest, std::abs(patch.velocity * area));
   }
-  if (std::abs(flow) <= k_rounding * largest) return;
+  const auto balanced = [&](double volume) { return std::abs(volume) <= k_rounding * largest; };
+  double flow = 0;
+  for (const auto& [ramp, part] : flows) flow += part;
+  if (balanced(flow)) {
+    if (std::ranges::all_of(flows, [&](const auto& part) { return balanced(part.second); })) return;
+    throw InputError(document.mark("scene.patches"), "scene.patches",
+                     "what is blown in is drawn out again, but not while the patches open: their ramps differ.",
+                     "Give them one ramp, or add an opening, for example outlet: {face: top, pressure: 0 Pa}.");
+  }
   throw InputError(document.mark("scene.patches"), "scene.patches",
                    flow > 0 ? "gas is blown in, but there is no opening to let it out."
                             : "gas is drawn out, but there is no opening to let it in.",

@@ -111,25 +111,31 @@ void set_quantities(const QuantityValues& values, RealScene& scene) {
   for (ParticleClass& species : scene.particles) species.values = values.particles.at(species.name);
 }
 
-void check_quantities(const RealScene& scene, const Catalogue& catalogue) {
-  if (scene.models.effects_auto) return;
+std::vector<IdleValue> idle_values(const RealScene& scene, const Catalogue& catalogue) {
+  std::vector<IdleValue> idle;
   std::set<std::string> declared;
   for (const ModelChoice& effect : scene.models.effects) {
     for (const similitude_quantity& quantity : quantities_of(*catalogue.find("effect", effect.id))) declared.insert(quantity.name);
   }
-  const auto check = [&](const GivenValues& values, const std::string& path) {
-    for (const GivenValue& given : values) {
-      if (declared.contains(given.name)) continue;
-      const std::vector<std::string> ids = who_declares(catalogue, given.name);
-      throw InputError(given.mark, path + "." + given.name,
-                       "no effect of this case has a " + given.name + "; " + listed(ids) + (ids.size() == 1 ? " has." : " have."),
-                       "Add " + ids.front() + " to models.effects, or remove this key.");
-    }
+  const auto look_at = [&](const GivenValues& values, const std::string& path) {
+    for (const GivenValue& given : values)
+      if (!declared.contains(given.name)) idle.push_back({path + "." + given.name, given.name, given.mark, who_declares(catalogue, given.name)});
   };
-  check(scene.gas_values, "scene.gas");
-  check(scene.wall_values, "scene.walls");
-  for (const Patch& patch : scene.patches) check(patch.values, "scene.patches." + patch.name);
-  for (const ParticleClass& species : scene.particles) check(species.values, "scene.particles." + species.name);
+  look_at(scene.gas_values, "scene.gas");
+  look_at(scene.wall_values, "scene.walls");
+  for (const Patch& patch : scene.patches) look_at(patch.values, "scene.patches." + patch.name);
+  for (const ParticleClass& species : scene.particles) look_at(species.values, "scene.particles." + species.name);
+  return idle;
+}
+
+void check_quantities(const RealScene& scene, const Catalogue& catalogue) {
+  if (scene.models.effects_auto) return;
+  for (const IdleValue& value : idle_values(scene, catalogue)) {
+    const std::vector<std::string>& ids = value.declared_by;
+    throw InputError(value.mark, value.path,
+                     "no effect of this case has a " + value.name + "; " + listed(ids) + (ids.size() == 1 ? " has." : " have."),
+                     "Add " + ids.front() + " to models.effects, or remove this key.");
+  }
 }
 
 }  // namespace similitude

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "loader/catalogue.h"
 #include "scene/document.h"
@@ -27,6 +28,14 @@ QuantityValues take_quantities(Document& document, const Catalogue& catalogue);
 
 /// Into the scene that was read from the rest.
 void set_quantities(const QuantityValues& values, RealScene& scene);
+
+/// A value of the scene that none of the case's effects declares.
+struct IdleValue {
+  std::string path, name;
+  SourceMark mark;
+  std::vector<std::string> declared_by;   // ids of the catalogue's effects that do; at least one
+};
+std::vector<IdleValue> idle_values(const RealScene& scene, const Catalogue& catalogue);
 
 /// Throws InputError at a value that none of the effects in a case's list declares, naming those that do. Nothing with
 /// effects: auto, where a value may be what an effect judges by.

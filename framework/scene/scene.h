@@ -84,6 +84,8 @@ struct FileRows {
   double least_mass = 1;            // [-], of the lightest row; 1 where there is none
   double diameter_of_lightest = 1;  // [-]
   double least_diameter = 1;        // [-], of the smallest row
+  double least_density = 1;         // [-]
+  double largest_density = 1;       // [-]
 };
 
 struct ParticleClass {

@@ -161,7 +161,7 @@ double ratio_of(int scales_as, const similitude_ratios& ratios) {
     case SIMILITUDE_SCALES_AS_ENERGY:
       return force_on_a_grain(ratios) * ratios.diameter;
     case SIMILITUDE_SCALES_AS_DIFFUSIVITY:
-      return ratios.diameter * ratios.diameter / ratios.time;
+      return ratios.drag_diameter * ratios.drag_diameter / ratios.time;   // the gas meets the particle, not what touches
     case SIMILITUDE_SCALES_AS_RATE:
       return 1 / ratios.time;
     default:

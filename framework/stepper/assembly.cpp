@@ -78,6 +78,31 @@ similitude_ratios ratios_of(const ScalingModel& scaling, const similitude_bed& r
   return ratios;
 }
 
+/// A file says where every grain lies. A law whose grains are larger over the bed's size simulates fewer, and knows no places
+/// for them; and it keeps the groups of one density.
+void refuse_file_that_does_not_scale(const Assembly& assembly) {
+  const RealScene& real = assembly.real;
+  const similitude_ratios& r = assembly.ratios;
+  if (real.bed.kind != FillKind::file || real.models.scaling.id == "exact") return;
+  double count = 0;
+  for (const ParticleClass& type : real.particles) {
+    count += type.known_count();
+    const FileRows rows = type.rows.value_or(FileRows{});
+    if (rows.least_density == rows.largest_density) continue;
+    throw InputError(real.bed.mark, "scene.bed.file",
+                     fmt::format("its grains of {} have densities from {:.4g} to {:.4g} kg/m^3, but the scaling law {} is for one particle density.",
+                                 type.name, type.density * rows.least_density, type.density * rows.largest_density, real.models.scaling.id),
+                     "Give all rows one density, or use models.scaling: exact.");
+  }
+  if (count <= 1 || r.length == r.diameter) return;
+  throw InputError(real.bed.mark, "scene.bed.file",
+                   fmt::format("{} simulates grains {:.4g} times as large over the bed's size, and so {:.4g} in place of the file's {:.0f}; a file "
+                               "says nothing of where they lie.",
+                               real.models.scaling.id, r.diameter / r.length, std::max(1.0, std::round(count * std::pow(r.length / r.diameter, 3))),
+                               count),
+                   "Write bed: {fill: settle} with a count or a height, or use models.scaling: exact.");
+}
+
 /// Gas and particle of the real bed exchange heat and mass at their own pace. Nothing is known that scales it together with
 /// the motion, so that only beds with the real gas and the real particle in it are left: the exact one, and parcels.
 void refuse_scaled_scalars(const Assembly& assembly) {
@@ -89,7 +114,7 @@ void refuse_scaled_scalars(const Assembly& assembly) {
     throw InputError(assembly.real.models.scaling.mark, "models.scaling",
                      assembly.real.models.scaling.id + " changes the gas, lengths or times, and " + id +
                          " does not keep pace: heat and species would be exchanged at another rate than the bed moves.",
-                     "Use exact or parcel, which leave the gas and the particle in it as they are, or leave " + id +
+                     "Use exact, parcel, bierwisch or coarse_grain, which leave the gas and the particle in it as they are, or leave " + id +
                          " out of models.effects.");
   }
 }
@@ -127,11 +152,12 @@ void refuse_light_particles(const Assembly& assembly) {
   if (!assembly.coupled() || assembly.added_mass()) return;
   const ModelScene& bed = assembly.model;
   for (const ParticleClass& type : bed.particles) {
-    if (type.density >= bed.gas_density) continue;
+    const double density = type.density * type.rows.value_or(FileRows{}).least_density;
+    if (density >= bed.gas_density) continue;
     throw InputError(bed.models.fluid.mark, "models.fluid",
                      fmt::format("the simulated particles {}, of {:.4g} kg/m^3, are lighter than the gas of {:.4g} kg/m^3: its resistance "
                                  "to being pushed aside, known one gas step late, would throw them about.",
-                                 type.name, type.density, bed.gas_density),
+                                 type.name, density, bed.gas_density),
                      "Give the particles the inertia of the gas around them, models.effects: [virtual_mass], or use fluid: prescribed, which "
                      "feels nothing of them.");
   }
@@ -151,6 +177,7 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.scaling =
       create<similitude_scaling_functions>(catalogue, scene.models.scaling, real_bed, assembly.plugins);
   assembly.ratios = ratios_of(assembly.scaling, real_bed, scene.models.scaling.mark);
+  refuse_file_that_does_not_scale(assembly);
   assembly.results = result_ratios(scene, assembly.ratios);
   assembly.model = simulated_bed(assembly.real, assembly.ratios);
   assembly.warnings = scaling_warnings(assembly.real, assembly.ratios);

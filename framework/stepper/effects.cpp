@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "loader/describe.h"
 #include "loader/number_text.h"
 #include "particles/contact_effects.h"
 #include "scene/material_pairs.h"
 #include "scene/messages.h"
+#include "scene/quantities.h"
 #include "scene/units.h"
 #include "similarity/ratios.h"
 
@@ -199,6 +201,43 @@ void choose_effects(RealScene& scene, const Catalogue& catalogue) {
     take_from_others(effect, catalogue, scene.models);
     refuse_unlike_partners(effect, catalogue, scene);
   }
+}
+
+std::string written_list(const std::vector<std::string>& ids) { return "models.effects: [" + joined(ids, ", ") + "]"; }
+
+std::vector<std::string> idle_value_warnings(const RealScene& scene, const Catalogue& catalogue) {
+  if (!scene.models.effects_auto) return {};
+  const std::vector<IdleValue> idle = idle_values(scene, catalogue);
+  if (idle.empty()) return {};
+  const std::vector<EffectVerdict> verdicts = judge_effects(scene, catalogue, nullptr);
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < idle.size(); ++i) {
+    const std::string& id = idle[i].declared_by.front();
+    const auto of_it = [&](const IdleValue& value) { return value.declared_by.front() == id; };
+    if (std::any_of(idle.begin(), idle.begin() + static_cast<std::ptrdiff_t>(i), of_it)) continue;
+    const auto all = std::ranges::count_if(idle, of_it);
+    std::vector<std::string> with;
+    for (const ModelChoice& effect : scene.models.effects) with.push_back(effect.id);
+    with.push_back(id);
+    warnings.push_back(InputError(idle[i].mark, idle[i].path,
+                                  fmt::format("{} is not part of this run, so {}: {}.", id,
+                                              all == 1 ? "this value does nothing" : fmt::format("this and {} more of its values do nothing", all - 1),
+                                              std::ranges::find(verdicts, id, &EffectVerdict::id)->because),
+                                  fmt::format("Write {} to have it, or remove {}.", written_list(with), all == 1 ? "this key" : "these keys"))
+                           .what());
+  }
+  return warnings;
+}
+
+std::string with_its_defaults(const similitude_descriptor& effect) {
+  std::string text = std::string("{id: ") + effect.id;
+  for (std::uint32_t i = 0; i < effect.parameter_count; ++i) {
+    const similitude_parameter& row = effect.parameters[i];
+    if (row.type != SIMILITUDE_CHOICE && std::isnan(row.default_value)) continue;
+    const std::string unit = text_of(row.unit);
+    text += std::string(", ") + row.name + ": " + default_text(row) + (unit.empty() || unit == "1" ? "" : " " + unit);
+  }
+  return text + "}";
 }
 
 void check_partners(const RealScene& scene, std::span<const EffectModel> effects) {

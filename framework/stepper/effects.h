@@ -33,6 +33,17 @@ inline bool asks_for_effects(const RealScene& scene) { return scene.models.effec
 /// and partners of the contact law have several. [setup]
 void choose_effects(RealScene& scene, const Catalogue& catalogue);
 
+/// "models.effects: [heat, cohesion]", to write in place of `auto`.
+std::string written_list(const std::vector<std::string>& ids);
+
+/// With `effects: auto`, once effects are chosen: a warning for each that was left out although the scene gives values which only
+/// it would use, with its verdict. [setup]
+std::vector<std::string> idle_value_warnings(const RealScene& scene, const Catalogue& catalogue);
+
+/// "{id: cohesion, model: van_der_waals, hamaker: 6.5e-20 J}": an effect with its defaults as a case would write it, less what it
+/// takes from other models.
+std::string with_its_defaults(const similitude_descriptor& effect);
+
 /// Throws InputError if an effect lacks a partner or meets a model that it conflicts with, saying what to add or leave out. [setup]
 void check_partners(const RealScene& scene, std::span<const EffectModel> effects);
 

@@ -26,6 +26,17 @@ std::string at(std::array<double, 3> place, const ResultRatios& ratios) {
 
 }  // namespace
 
+Hardness hardness_of(const similitude_descriptor& contact) {
+  for (std::uint32_t i = 0; i < contact.parameter_count; ++i) {
+    const similitude_parameter& row = contact.parameters[i];
+    const std::string key = std::string("models.contact.") + row.name;
+    // The end of an impact: m v^2 = k delta^2, or m v^2 ~ E delta^(5/2) of Hertz.
+    if (row.scales_as == SIMILITUDE_SCALES_AS_STIFFNESS) return {key, " (the overlap falls with its square root)"};
+    if (row.scales_as == SIMILITUDE_SCALES_AS_MODULUS) return {key, " (the overlap falls with its power 2/5)"};
+  }
+  return {};
+}
+
 void Guards::warn_once(Warning warning, const std::string& text) {
   if (said_[warning] != 0) return;
   said_[warning] = 1;
@@ -47,10 +58,10 @@ void Guards::check_particles(const EngineReport& report, double time) {
                   at(extreme.place, ratios_), time / ratios_.time);
   if (extreme.overlap_ratio > k_overlap_to_stop) {
     throw SimulationError(what + ": spheres no longer mean anything there.",
-                          "The spring is too soft for these speeds or the step too long: raise models.contact.stiffness (the "
-                          "overlap falls with its square root) or use time.dt: auto.");
+                          "The spring is too soft for these speeds or the step too long: raise " + hardness_.key + hardness_.falling +
+                              " or use time.dt: auto.");
   }
-  warn_once(k_overlap, what + ": above 5 %. Raise models.contact.stiffness if that matters here.");
+  warn_once(k_overlap, what + ": above 5 %. Raise " + hardness_.key + " if that matters here.");
 }
 
 void Guards::check_gas(const similitude_gas_report& report, const similitude_status& status, double time) {
@@ -83,7 +94,7 @@ void Guards::check_balances(const Balances& balances, double time) {
     throw SimulationError(fmt::format("the particles' {} and what they were given differ by {:.2g} of it at t = {:.6g} s: more than "
                                       "rounding explains.",
                                       what, residual, time / ratios_.time),
-                          "The program or one of the models in use is wrong: please report it with the case file.");
+                          "That is a fault of the program or of one of the models in use, not of the case.");
   };
   stop_at("momentum", balances.momentum);
   stop_at("energy", balances.energy);
@@ -104,7 +115,7 @@ void Guards::check_gas_fraction(double smallest, std::array<double, 3> place, do
   if (smallest > k_smallest_gas_fraction) return;
   throw SimulationError(fmt::format("the gas fraction is {:.3f} at {}, t = {:.6g} s: particles have piled into each other.",
                                     smallest, at(place, ratios_), time / ratios_.time),
-                        "Raise models.contact.stiffness, or scene.coupling.smoothing if particles are larger than cells.");
+                        "Raise " + hardness_.key + ", or coupling.smoothing if particles are larger than cells.");
 }
 
 }  // namespace similitude

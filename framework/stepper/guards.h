@@ -17,11 +17,19 @@ namespace similitude {
 inline constexpr double k_overlap_to_warn = 0.05;   // of a diameter: a softer bed than the law was meant for
 inline constexpr double k_overlap_to_stop = 0.30;   // of a diameter: no sphere is left
 
+/// What makes contacts harder: words for advice.
+struct Hardness {
+  std::string key = "the contact law's stiffness";   // of the case file, where the law's table says which parameter it is
+  std::string falling;                               // how the overlap of an impact falls with it; empty if unknown
+};
+/// Of a law of contacts, by what its parameters scale as.
+Hardness hardness_of(const similitude_descriptor& contact);
+
 class Guards {
  public:
   /// `courant_limits` false: a gas that is not advected may cross any number of cells in a step.
-  Guards(const ResultRatios& ratios, std::function<void(const std::string&)> warn, bool courant_limits = true)
-      : ratios_(ratios), warn_(std::move(warn)), courant_limits_(courant_limits) {}
+  Guards(const ResultRatios& ratios, std::function<void(const std::string&)> warn, Hardness hardness = {}, bool courant_limits = true)
+      : ratios_(ratios), warn_(std::move(warn)), hardness_(std::move(hardness)), courant_limits_(courant_limits) {}
 
   /// After the DEM sub-steps. `time` in the simulated bed's seconds. Throws SimulationError.
   void check_particles(const EngineReport& report, double time);
@@ -41,6 +49,7 @@ class Guards {
 
   ResultRatios ratios_;
   std::function<void(const std::string&)> warn_;
+  Hardness hardness_;
   bool courant_limits_;
   std::array<std::uint8_t, k_warnings> said_{};
 };

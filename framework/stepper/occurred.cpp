@@ -66,18 +66,29 @@ similitude_occurred Occurred::ranges() const {
   return seen;
 }
 
-std::vector<std::string> second_thoughts(const std::vector<EffectVerdict>& before, const std::vector<EffectVerdict>& after) {
+std::vector<std::string> second_thoughts(const Models& models, const std::vector<EffectVerdict>& before,
+                                         const std::vector<EffectVerdict>& after) {
   std::vector<std::string> thoughts;
+  // A list in place of `auto` names the others too, or they would be lost.
+  const auto others_of = [&](const std::string& id) {
+    std::vector<std::string> ids;
+    for (const ModelChoice& effect : models.effects)
+      if (effect.id != id) ids.push_back(effect.id);
+    return ids;
+  };
   for (const EffectVerdict& now : after) {
     const auto then = std::ranges::find(before, now.id, &EffectVerdict::id);
     if (then == before.end()) continue;
+    std::vector<std::string> list = others_of(now.id);
     if (now.verdict == 1 && !now.chosen) {
-      thoughts.push_back(fmt::format("{} was left out, but what occurred calls for it: {}. Before the run: {}. Add {} to models.effects.",
-                                     now.id, now.because, two_digits(then->value), now.id));
+      list.push_back(now.id);
+      thoughts.push_back(fmt::format("{} was left out, but what occurred calls for it: {}. Before the run: {}. {}.", now.id, now.because,
+                                     two_digits(then->value),
+                                     models.effects_auto ? "Write " + written_list(list) : "Add " + now.id + " to models.effects"));
     } else if (now.verdict == 0 && now.chosen) {
-      thoughts.push_back(fmt::format("{} was in the run, but what occurred does not call for it: {}. Before the run: {}. It may be left out "
-                                     "of models.effects.",
-                                     now.id, now.because, two_digits(then->value)));
+      thoughts.push_back(fmt::format("{} was in the run, but what occurred does not call for it: {}. Before the run: {}. It may be left out{}.",
+                                     now.id, now.because, two_digits(then->value),
+                                     models.effects_auto ? ": " + written_list(list) : " of models.effects"));
     }
   }
   return thoughts;

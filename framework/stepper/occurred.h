@@ -35,7 +35,8 @@ class Occurred {
 };
 
 /// Where the verdict on what occurred is another than that on the scene, or an effect ran that nothing called for: a sentence
-/// each, with advice. `before` and `after` are of the same catalogue.
-std::vector<std::string> second_thoughts(const std::vector<EffectVerdict>& before, const std::vector<EffectVerdict>& after);
+/// each, with advice. `before` and `after` are of the same catalogue; `models` those of the case.
+std::vector<std::string> second_thoughts(const Models& models, const std::vector<EffectVerdict>& before,
+                                         const std::vector<EffectVerdict>& after);
 
 }  // namespace similitude

@@ -70,12 +70,23 @@ std::string origin_words(const RunIdentity& run, const FilledBed& filled) {
   return fmt::format(" at the start; going on at t = {:.6g} s from {}", run.resumed.back().simulated_s, run.resumed.back().checkpoint);
 }
 
+/// What chose itself stands there as a case would write it: nobody else has said with which parameters.
+void print_effects(std::ostream& out, const Assembly& assembly) {
+  std::string line;
+  for (const EffectModel& effect : assembly.effects) {
+    line += line.empty() ? "" : ", ";
+    line += assembly.real.models.effects_auto ? with_its_defaults(effect.descriptor()) : effect.descriptor().id;
+  }
+  if (!line.empty()) out << "  effects     " << (assembly.real.models.effects_auto ? "auto took, with default parameters: " : "") << line << "\n";
+}
+
 void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& steps, const RunIdentity& run,
                  const std::string& origin, const Simulation& simulation, std::int64_t gas_steps) {
   const ResultRatios& to = assembly.results;
   out << assembly.real.title << "\n";
   out << fmt::format("  models      drag {}, contact {}, fluid {}, scaling {}\n", assembly.drag.descriptor().id,
                      assembly.contact.descriptor().id, assembly.fluid.descriptor().id, assembly.scaling.descriptor().id);
+  print_effects(out, assembly);
   out << fmt::format("  bed         {} simulated particles{}, level {:.4g} mm, solids fraction {:.3f}{}\n",
                      run.particles, assembly.ratios.diameter == assembly.ratios.length ? "" : " (scaled)",
                      1e3 * run.height / to.length, run.solids_fraction, origin);
@@ -315,6 +326,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   for (const std::string& warning : assembly.warnings) warn(warning);
   for (const std::string& warning : steps.warnings) warn(warning);
   for (const std::string& warning : bed_warnings(assembly)) warn(warning);
+  for (const std::string& warning : idle_value_warnings(assembly.real, catalogue)) warn(warning);
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);
@@ -386,7 +398,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   if (asks_for_effects(case_file.scene)) {
     const similitude_occurred seen = case_run.occurred().ranges();
     const std::vector<EffectVerdict> before = judge_effects(assembly.real, catalogue, nullptr);
-    for (const std::string& thought : second_thoughts(before, judge_effects(assembly.real, catalogue, &seen))) {
+    for (const std::string& thought : second_thoughts(assembly.real.models, before, judge_effects(assembly.real, catalogue, &seen))) {
       out << "\neffects: " << thought << "\n";
     }
   }

@@ -25,7 +25,7 @@ std::array<double, 3> cell_centre(const Grid& grid, std::size_t cell) {
 Simulation::Simulation(const Assembly& assembly, const TimeSteps& steps, ParticleStore particles,
                        std::function<void(const std::string&)> warn)
     : assembly_(assembly), steps_(steps), particles_(std::move(particles)), boundary_(*assembly.grid),
-      guards_(assembly.results, std::move(warn), assembly.fluid_needs.any_courant_number == 0) {
+      guards_(assembly.results, std::move(warn), hardness_of(assembly.contact.descriptor()), assembly.fluid_needs.any_courant_number == 0) {
   const std::size_t cells = assembly.grid->cell_count();
   gas_.velocity.assign(3 * cells, 0);
   gas_.pressure.assign(cells, 0);

@@ -37,6 +37,19 @@ double largest_inlet_velocity(const ModelScene& scene) {
   return speed;
 }
 
+/// Bernoulli's: what the gas gains between the patches of the highest and of the lowest pressure with nothing in its way.
+double speed_between_pressures(const ModelScene& scene) {
+  double highest = 0, lowest = 0;   // [Pa]
+  bool found = false;
+  for (const auto& patch : scene.patches) {
+    if (patch.kind != PatchKind::pressure) continue;
+    highest = found ? std::max(highest, patch.pressure) : patch.pressure;
+    lowest = found ? std::min(lowest, patch.pressure) : patch.pressure;
+    found = true;
+  }
+  return std::sqrt(2 * (highest - lowest) / scene.gas_density);
+}
+
 bool has_walls(const ModelScene& scene) {
   return !scene.baffles.empty() || std::ranges::any_of(scene.periodic, [](bool repeats) { return !repeats; });
 }
@@ -121,6 +134,11 @@ std::vector<TimeStepLimit> all_limits(const Assembly& assembly) {
     limits.push_back({"gas CFL", fmt::format("Courant number {} at {} times the fastest inlet", k_advised_courant, k_jet_overshoot),
                       StepKind::gas, k_advised_courant * smallest_spacing(scene) / (k_jet_overshoot * inlet),
                       smallest_spacing(scene) / inlet, false, "Courant number 1 at the fastest inlet's own speed"});
+  }
+  const double driven = speed_between_pressures(scene);
+  if (assembly.coupled() && assembly.fluid_needs.any_courant_number == 0 && driven > 0) {
+    limits.push_back({"gas CFL between pressures", fmt::format("Courant number {} at the speed that the pressures of patches give free gas", k_advised_courant),
+                      StepKind::gas, k_advised_courant * smallest_spacing(scene) / driven, k_never, false});
   }
   if (assembly.fluid.functions().largest_stable_step != nullptr) {
     const double stable = assembly.fluid.functions().largest_stable_step(assembly.fluid.instance(), &assembly.grid->table());

@@ -85,6 +85,42 @@ class Files(CommandTest):
         self.assertIn('column "x [mm]" is read in [m] only.\n  Write x [m], or x alone, with values in metres.\n', done.stderr)
 
 
+    def test_a_file_of_grains_and_a_law_of_fewer(self):
+        self.write("x,y,z\n0.002,0.005,0.002\n0.004,0.005,0.002\n", "grains.csv")
+        small = SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
+        for law in ("{id: link, n: 2}", "{id: parcel, n: 2}"):
+            case = self.write(small.replace("scaling: exact", f"scaling: {law}"))
+            done = self.command("check", case)
+            self.assertEqual((done.returncode, done.stderr),
+                             (2, f"error: {case}:7:14: scene.bed.file: {law[5:].split(',')[0]} simulates grains 2 times as large over the bed's size, "
+                                 "and so 1 in place of the file's 2; a file says nothing of where they lie.\n"
+                                 "  Write bed: {fill: settle} with a count or a height, or use models.scaling: exact.\n"))
+        shrunk = self.write(small.replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
+        self.assertEqual(self.command("check", shrunk).returncode, 0)
+
+    def test_rows_of_other_densities_and_a_law_for_one(self):
+        self.write("x,y,z,density\n0.002,0.005,0.002,1040\n0.004,0.005,0.002,2080\n", "grains.csv")
+        case = self.write(SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
+                          .replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
+        self.assertEqual(self.command("check", case).stderr,
+                         f"error: {case}:7:14: scene.bed.file: its grains of alumina have densities from 1040 to 2080 kg/m^3, but the scaling law "
+                         "glicksman_full is for one particle density.\n  Give all rows one density, or use models.scaling: exact.\n")
+
+    def test_a_row_lighter_than_the_gas(self):
+        self.write("x,y,z,density\n0.002,0.005,0.002,1040\n0.004,0.005,0.002,950\n", "grains.csv")
+        case = self.write(SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
+                          .replace("1.225 kg/m^3, viscosity: 1.79e-5", "1000 kg/m^3, viscosity: 1e-3").replace("fluid: vans", "fluid: vans\n  effects: []"))
+        self.assertIn("the simulated particles alumina, of 950 kg/m^3, are lighter than the gas of 1000 kg/m^3:", self.command("check", case).stderr)
+
+    def test_a_stiffness_for_a_law_without_a_spring(self):
+        case = self.write(SMALL.replace("{id: linear_spring, stiffness: 100 N/m, ", "{id: hertz_mindlin, youngs_modulus: 1 MPa, poisson_ratio: 0.3, ")
+                          .replace("scaling: exact", "scaling: {id: link, n: 2, stiffness: 100 N/m}"))
+        done = self.command("check", case)
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, f"error: {case}:15:40: models.scaling.stiffness: the contact model hertz_mindlin has no spring stiffness that it could replace.\n"
+                             "  Remove this key; a softer modulus is given to the contact model itself.\n"))
+
+
 class Obeyed(CommandTest):
     """Advice is followed to the letter; what then comes is no complaint about the same thing."""
 
@@ -107,6 +143,24 @@ class Obeyed(CommandTest):
     def test_no_cells_below_a_grain_are_advised(self):
         case = self.write(SMALL.replace("x: [7.5 mm, 12.5 mm]", "x: [7 mm, 12.5 mm]"))
         self.assertIn("\n  Use [5 mm, 12.5 mm] or [7.5 mm, 12.5 mm].\n", self.command("check", case, "--set", "scene.particles.alumina.diameter=2 mm").stderr)
+
+
+    def test_one_friction_coefficient_in_fluent_dem(self):
+        law = "models.contact={{id: fluent_dem, stiffness: 100 N/m, restitution: 0.74, mu_stick: 0.3, mu_glide: {}, v_glide: {} m/s}}"
+        done = self.command("check", self.write(SMALL), "--set", law.format(0.2, 0))
+        self.assertIn("v_glide: the friction must fall over some speed.\n  Give a v_glide above 0; for one friction coefficient set mu_glide "
+                      "equal to mu_stick as well.\n", done.stderr)
+        self.assertEqual(self.command("check", self.write(SMALL), "--set", law.format(0.3, 1)).returncode, 0)
+
+    def test_what_chose_itself_is_printed_as_a_case_would_write_it(self):
+        dense = ("scene.gas.density=150 kg/m^3", "scene.patches.spout.velocity=0.1 m/s")
+        first = self.command("run", self.write(SMALL), "--until", "0.1 ms", *(word for setting in dense for word in ("--set", setting)))
+        effects = re.search(r"\n  effects     auto took, with default parameters: (.*)\n", first.stdout).group(1)
+        self.assertIn("{id: virtual_mass, coefficient: 0.5, crowding: single}", effects)
+        again = self.command("run", self.write(SMALL), "--until", "0.1 ms", "--force", *(word for setting in (*dense, f"models.effects=[{effects}]")
+                                                                                        for word in ("--set", setting)))
+        self.assertEqual(re.search(r"\n  effects     (.*)\n", again.stdout).group(1), ", ".join(re.findall(r"id: (\w+)", effects)))
+        self.assertEqual(re.search(r"\nstate .*", again.stdout).group(), re.search(r"\nstate .*", first.stdout).group())
 
 
 class ImpossibleBeds(CommandTest):
@@ -175,6 +229,13 @@ class Known(CommandTest):
         self.assertIn("(contact time: 20 steps per contact of the lightest pair)", advised.stderr)
         gas = self.command("check", self.write(SMALL), "--set", "time.gas_dt=2 ms").stderr
         self.assertIn("(gas CFL: Courant number 1 at the fastest inlet's own speed)", gas)
+
+    def test_gas_that_pressures_drive_has_a_step_that_the_run_survives(self):
+        case = self.write(SMALL.replace("x: [7.5 mm, 12.5 mm], velocity: 3 m/s", "rest: true, pressure: 10 Pa").replace(", profiles: {z: [5 mm], from: 2 ms}", "")
+                          .replace("  particles: {alumina: {diameter: 1 mm, density: 1040 kg/m^3, count: 300}}\n", "").replace("{fill: lattice}", "{fill: none}"))
+        # Bernoulli's 4.04 m/s of 10 Pa in air: half a cell of 2.5 mm.
+        self.assertIn("0.000309 s", self.command("check", case).stdout)
+        self.assertEqual(self.command("run", case, "-o", "out").returncode, 0)
 
     def test_the_numbers_of_the_bed_and_the_threads_of_the_prediction(self):
         case = self.write(SMALL)

@@ -69,7 +69,7 @@ class Scalars(CommandTest):
     def test_a_parcel_run_carries_heat_and_a_scaled_one_is_refused(self):
         self.assert_refused(self.run_case(HOT.replace("scaling: exact", "scaling: {id: terminal_velocity, geometry: 0.5}")), 2,
                             "models.scaling: terminal_velocity changes the gas, lengths or times, and heat does not keep pace",
-                            "Use exact or parcel")
+                            "Use exact, parcel, bierwisch or coarse_grain")
 
     def test_a_temperature_without_heat_is_refused_with_the_effect_to_add(self):
         self.assert_refused(self.run_case(HOT.replace("effects: [heat]", "effects: []")), 2,

@@ -5,6 +5,7 @@
 #include "effect_case.h"
 #include "stepper/effect_price.h"
 #include "stepper/effects.h"
+#include "stepper/occurred.h"
 
 namespace similitude::test {
 namespace {
@@ -82,6 +83,65 @@ TEST(Verdicts, AutoTakesWhatTheSecondClassNeeds) {
   choose_effects(scene, built_plugins());
   ASSERT_EQ(scene.models.effects.size(), 1u);
   EXPECT_EQ(scene.models.effects[0].id, "heat");
+}
+
+std::vector<std::string> idle_warnings(RealScene scene) {
+  choose_effects(scene, built_plugins());
+  return idle_value_warnings(scene, built_plugins());
+}
+
+// 310 K over 300 K is 0.033: less than heat asks for.
+TEST(IdleValues, TemperaturesThatAutoLeavesOutAreWarnedOfOnceWithTheVerdict) {
+  const std::vector<std::string> warnings = idle_warnings(scene_of(of_temperature("ball", 300), ", temperature: 310 K"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("scene.gas.temperature: heat is not part of this run, so this and 3 more of its values do nothing: "
+                             "(T_max - T_min)/T_min = 0.033, needed above 0.05 ("),
+            std::string::npos)
+      << warnings[0];
+  EXPECT_TRUE(warnings[0].ends_with("\n  Write models.effects: [heat] to have it, or remove these keys.")) << warnings[0];
+}
+
+TEST(IdleValues, TheListToWriteKeepsWhatTheBedCallsFor) {
+  const std::vector<std::string> warnings = idle_warnings(scene_of(k_fine, ", temperature: 300 K"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(": heat is not part of this run, so this value does nothing: "), std::string::npos) << warnings[0];
+  EXPECT_TRUE(warnings[0].ends_with("\n  Write models.effects: [cohesion, heat] to have it, or remove this key.")) << warnings[0];
+}
+
+// The law that auto takes burns a fuel: oxygen alone is no reason for it.
+TEST(IdleValues, OxygenWithoutFuelIsLeftOutAndWarnedOf) {
+  const RealScene scene = scene_of("ball: {diameter: 1 mm, density: 2500 kg/m^3, count: 100, oxygen_capacity: 0.08, conversion: 1}", ", oxygen: 0.21");
+  EXPECT_EQ(verdict_on("oxygen_carrier", scene).verdict, -1);
+  const std::vector<std::string> warnings = idle_warnings(scene);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("; give scene.gas.fuel, or list the effect with gas: O2, to tell.\n"), std::string::npos) << warnings[0];
+}
+
+TEST(IdleValues, ValuesInUseAreNotWarnedOf) {
+  EXPECT_TRUE(idle_warnings(scene_of(of_temperature("ball", 1200), ", temperature: 300 K")).empty());
+}
+
+TEST(Defaults, StandAsACaseWouldWriteThem) {
+  EXPECT_EQ(with_its_defaults(*built_plugins().find("effect", "cohesion")->descriptor),
+            "{id: cohesion, model: van_der_waals, hamaker: 6.5e-20 J, separation: 4e-10 m, asperity: 1e-07 m}");
+}
+
+// A list in place of auto loses what it does not name; in a list the others stand already.
+TEST(SecondThoughts, AdviceOnAutoNamesTheWholeList) {
+  Models models;
+  models.effects.push_back({.kind = "effect", .id = "heat", .parameters = {}, .mark = {}});
+  EffectVerdict heat{.id = "heat", .group = {}, .source = {}, .because = "dT = 0.01", .species = {}, .value = 0.3, .verdict = 0, .chosen = true};
+  EffectVerdict lift{.id = "lift", .group = {}, .source = {}, .because = "L = 0.2", .species = {}, .value = 0.01, .verdict = 1};
+  const std::vector<EffectVerdict> seen{heat, lift};
+  EXPECT_EQ(second_thoughts(models, seen, seen),
+            (std::vector<std::string>{"heat was in the run, but what occurred does not call for it: dT = 0.01. Before the run: 0.3. It may be left "
+                                      "out: models.effects: [].",
+                                      "lift was left out, but what occurred calls for it: L = 0.2. Before the run: 0.01. Write "
+                                      "models.effects: [heat, lift]."}));
+  models.effects_auto = false;
+  const std::vector<std::string> listed = second_thoughts(models, seen, seen);
+  EXPECT_TRUE(listed[0].ends_with("It may be left out of models.effects."));
+  EXPECT_TRUE(listed[1].ends_with("Add lift to models.effects."));
 }
 
 // Whatever an effect does, in contacts, to particles, in cells or to what the gas carries, takes longer than a nanosecond per particle

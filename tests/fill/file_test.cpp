@@ -285,6 +285,8 @@ TEST_F(BedRows, LikeTheirClassAreExactlyTheClass) {
   EXPECT_EQ(rows.least_mass, 1);
   EXPECT_EQ(rows.diameter_of_lightest, 1);
   EXPECT_EQ(rows.least_diameter, 1);
+  EXPECT_EQ(rows.least_density, 1);
+  EXPECT_EQ(rows.largest_density, 1);
 }
 
 TEST_F(BedRows, TellTheLightestAndTheSmallestOfEachClass) {
@@ -302,6 +304,8 @@ TEST_F(BedRows, TellTheLightestAndTheSmallestOfEachClass) {
   EXPECT_DOUBLE_EQ(small.least_mass, 0.125);
   EXPECT_DOUBLE_EQ(small.diameter_of_lightest, 0.5);
   EXPECT_DOUBLE_EQ(small.least_diameter, 0.25);
+  EXPECT_DOUBLE_EQ(small.least_density, 1);
+  EXPECT_DOUBLE_EQ(small.largest_density, 9);
   EXPECT_EQ(large.count, 1);
   EXPECT_EQ(large.least_mass, 1);
 }

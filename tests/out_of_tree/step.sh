@@ -147,7 +147,7 @@ new_refuses() {
     "$similitude" plugins new friction my_friction
   expect_failure 'error: "My Drag" is no id. Write my_law, or org.example.my_law to share it with others.' \
     "$similitude" plugins new drag "My Drag"
-  expect_failure "the templates of plugins are not installed: $BUILD/share/similitude/templates/drag is not there. Install the Debian package similitude-dev, or type in Similitude's own folder: cmake --install build --prefix PREFIX && PREFIX/bin/similitude plugins new …" \
+  expect_failure "the templates of plugins are not installed: $BUILD/share/similitude/templates/drag is not there. Install the Debian package similitude-dev, or type: cmake --install $BUILD --prefix PREFIX && PREFIX/bin/similitude plugins new …" \
     "$BUILD/bin/similitude" plugins new drag other_drag
 }
 

@@ -58,6 +58,24 @@ TEST(Outlets, NobodyIsSeenOutsideAfterAnAdvance) {
   EXPECT_EQ(engine.report().removed, 1u);
 }
 
+// Two that touch on the floor, and a third that leaves in the last sub-step: the lists are made anew after it.
+TEST(Outlets, ContactsAreCountedWhenSomebodyLeavesInTheLastSubStep) {
+  ModelScene scene = box(0.01, 0.01, 0.01);
+  scene.patches.push_back(patch(PatchKind::pressure, k_top, {0, 0.01}, {0, 0.01}, {0.01, 0.01}));
+  ParticleStore store;
+  add_sphere(store, 0.005, 0.005, 0.01 - 1e-5);
+  store.velocity[0].z = 1;
+  add_sphere(store, 0.004, 0.005, 0.003);
+  add_sphere(store, 0.004 + 0.999 * k_diameter, 0.005, 0.003);
+  const ContactModel law = make_law({});
+  Engine engine(store, scene, law, options(1e-6));
+  engine.advance(10);
+  ASSERT_EQ(store.size(), 3u);
+  engine.advance(1);
+  ASSERT_EQ(store.size(), 2u);
+  EXPECT_EQ(engine.report().contacts, 1u);
+}
+
 TEST(Outlets, InletsAreWallsForParticles) {
   ModelScene scene = box(0.01, 0.01, 0.01);
   scene.patches.push_back(patch(PatchKind::velocity, k_bottom, {0.002, 0.008}, {0, 0.01}, {0, 0}));

@@ -20,7 +20,7 @@ echo "-- the tutorials that the package brings"
 under_x=()
 python=python3
 if [ -n "$paraview" ]; then under_x=(xvfb-run -a) python=pvpython; fi
-"${under_x[@]}" python3 /srv/follow.py $paraview /usr/share/doc/similitude-dev/plugin-authors/{drag,contact,scaling,effect,fluid}.md
+"${under_x[@]}" python3 /srv/follow.py $paraview /usr/share/doc/similitude/plugin-authors/{drag,contact,scaling,effect,fluid}.md
 
 echo "-- each new model with every one that ships"
 SIMILITUDE_PLUGIN_PATH=$(printf '%s:' ~/*/build) python3 /srv/mix.py gibilaro/case.yaml

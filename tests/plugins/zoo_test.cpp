@@ -24,8 +24,7 @@ std::string text_of_layout_hash() {
 }
 
 const std::string k_rebuild =
-    "Rebuild it against this program: cmake -B build -Dsimilitude_DIR=<prefix>/lib/cmake/similitude && cmake --build "
-    "build";
+    "Rebuild it against this program: cmake -B build -DCMAKE_PREFIX_PATH=<prefix> && cmake --build build";
 const std::string k_this_program = std::string(" | program: ") + compiler() + ", " + instruction_set() + ")";
 const std::string k_both_sides = "\n(plugin: zoo 1.0.0, x86-64" + k_this_program;
 

@@ -269,6 +269,20 @@ TEST(CaseErrors, PatchesAreInletsOrOpenings) {
             "  Add for example outlet: {face: top, pressure: 0 Pa}.");
 }
 
+// 10 mm of 150 at full speed against the other 140 mm: as much out as in.
+TEST(CaseErrors, WhatGoesInComesOutWhilePatchesOpenToo) {
+  std::string closed = example_with("    outlet:     {face: top, pressure: 0 Pa}\n", "");
+  const auto replace = [&](const std::string& from, const std::string& to) { closed.replace(closed.find(from), from.size(), to); };
+  replace("    spout: ", "    out:        {face: top, velocity: -1 m/s, ramp: 20 ms}\n    spout: ");
+  closed.replace(closed.find("    spout: "), closed.find("  baffles:") - closed.find("    spout: "),
+                 "    in:         {face: bottom, velocity: 1 m/s, ramp: 20 ms}\n");
+  EXPECT_EQ(complaint(closed), "");
+  replace("1 m/s, ramp: 20 ms}\n  baffles", "1 m/s, ramp: 50 ms}\n  baffles");
+  EXPECT_EQ(complaint(closed),
+            "spout.yaml:9:5: scene.patches: what is blown in is drawn out again, but not while the patches open: their ramps differ.\n"
+            "  Give them one ramp, or add an opening, for example outlet: {face: top, pressure: 0 Pa}.");
+}
+
 TEST(CaseErrors, PeriodicDirectionsHaveNoFaces) {
   EXPECT_EQ(
       complaint(example_with("  bed:  ", "  periodic: [z]\n  bed:  ")),

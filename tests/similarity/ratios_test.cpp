@@ -167,6 +167,18 @@ TEST(SimulatedBed, TakesASimulatedStiffnessAsItIs) {
   EXPECT_EQ(bed.models.contact.parameters[0].real, 61);
 }
 
+// Grains for 8 particles each, in the real gas: molecules of that gas do not diffuse faster for it. In a bed of another size and
+// viscosity they do as the viscosity: with n = r and mu* = r^(3/2), as nu* = L^2/t.
+TEST(SimulatedBed, ScalesADiffusivityByWhatTheGasMeets) {
+  RealScene real = spouted_bed();
+  real.models.effects.push_back({"effect", "carrier", {{"diffusivity", 2e-5, "", SIMILITUDE_SCALES_AS_DIFFUSIVITY, true}}, {}});
+  similitude_ratios parcels = identity_ratios();
+  parcels.diameter = 2;
+  parcels.parcel_weight = 8;
+  EXPECT_EQ(simulated_bed(real, parcels).models.effects[0].parameters[0].real, 2e-5);
+  EXPECT_EQ(simulated_bed(real, exact_quarter()).models.effects[0].parameters[0].real, 2e-5 / 8);
+}
+
 // Table 1 of the u_t law, recomputed: n = 0.70787, rho_f = 3.4611 (printed 0.708, 3.461); N = 461 000 (r/n)^3 = 20 308,
 // and 20 297 with n rounded to 0.708.
 TEST(SimulatedBed, OfTheTerminalVelocityLawHasTheKnownNumbers) {

@@ -10,7 +10,8 @@ namespace {
 /// Guards of an unscaled bed that keep what they warn of.
 struct Watched {
   std::vector<std::string> warnings;
-  Guards guards{ResultRatios{}, [this](const std::string& text) { warnings.push_back(text); }};
+  Guards guards{ResultRatios{}, [this](const std::string& text) { warnings.push_back(text); },
+                Hardness{"models.contact.stiffness", " (the overlap falls with its square root)"}};
 };
 
 template <class Work>
@@ -27,7 +28,7 @@ TEST(Guards, ParticlesWhoseMomentumCameFromNowhereStopTheRun) {
   Watched watched;
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.momentum = 2e-6}, 0.5); }),
             "the particles' momentum and what they were given differ by 2e-06 of it at t = 0.5 s: more than rounding explains.\n"
-            "  The program or one of the models in use is wrong: please report it with the case file.");
+            "  That is a fault of the program or of one of the models in use, not of the case.");
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.momentum = 9e-7}, 0.5); }), "no error");
 }
 
@@ -35,7 +36,7 @@ TEST(Guards, ParticlesWhoseEnergyCameFromNowhereStopTheRun) {
   Watched watched;
   EXPECT_EQ(message_of([&] { watched.guards.check_balances({.energy = 1e-3}, 0.5); }),
             "the particles' energy and what they were given differ by 0.001 of it at t = 0.5 s: more than rounding explains.\n"
-            "  The program or one of the models in use is wrong: please report it with the case file.");
+            "  That is a fault of the program or of one of the models in use, not of the case.");
 }
 
 TEST(Guards, ABalanceThatIsNotANumberStopsTheRun) {
@@ -65,7 +66,7 @@ TEST(Guards, AGasFractionDenserThanAnyPackingStopsTheRun) {
   Watched watched;
   EXPECT_EQ(message_of([&] { watched.guards.check_gas_fraction(0.05, {0.001, 0.002, 0.003}, 0.5); }),
             "the gas fraction is 0.050 at (1, 2, 3) mm, t = 0.5 s: particles have piled into each other.\n"
-            "  Raise models.contact.stiffness, or scene.coupling.smoothing if particles are larger than cells.");
+            "  Raise models.contact.stiffness, or coupling.smoothing if particles are larger than cells.");
 }
 
 TEST(Guards, AnOverlapOverFivePercentAndACourantNumberNearOneWarn) {
@@ -83,6 +84,27 @@ TEST(Guards, AnOverlapOverFivePercentAndACourantNumberNearOneWarn) {
   EXPECT_EQ(watched.warnings[1],
             "the gas moves 0.90 cells in one gas step (CFL) at t = 0.5 s; beyond 1 the run stops. Lower time.gas_dt if that matters "
             "here.");
+}
+
+/// The hardness of a law whose table holds one parameter beside its restitution.
+Hardness hardness_with(const char* name, int scales_as) {
+  similitude_parameter rows[2]{};
+  rows[0].name = "restitution";
+  rows[0].scales_as = SIMILITUDE_SCALES_AS_RESTITUTION;
+  rows[1].name = name;
+  rows[1].scales_as = scales_as;
+  similitude_descriptor contact{};
+  contact.parameters = rows;
+  contact.parameter_count = 2;
+  return hardness_of(contact);
+}
+
+TEST(Guards, AdviceNamesTheParameterThatTheContactLawHas) {
+  EXPECT_EQ(hardness_with("stiffness", SIMILITUDE_SCALES_AS_STIFFNESS).key, "models.contact.stiffness");
+  const Hardness hertz = hardness_with("youngs_modulus", SIMILITUDE_SCALES_AS_MODULUS);
+  EXPECT_EQ(hertz.key, "models.contact.youngs_modulus");
+  EXPECT_EQ(hertz.falling, " (the overlap falls with its power 2/5)");
+  EXPECT_EQ(hardness_with("friction", 0).key, "the contact law's stiffness");
 }
 
 TEST(Guards, WarningsGivenBeforeARestartAreNotRepeated) {

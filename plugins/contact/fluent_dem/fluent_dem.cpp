@@ -32,7 +32,7 @@ struct FluentDem {
     }
     if (!(v_glide > 0)) {
       throw std::invalid_argument(
-          "v_glide: the friction must fall over some speed.\n  Give a v_glide above 0, or set mu_glide equal to mu_stick.");
+          "v_glide: the friction must fall over some speed.\n  Give a v_glide above 0; for one friction coefficient set mu_glide equal to mu_stick as well.");
     }
     damping = damping_ratio(restitution);
   }

@@ -109,18 +109,16 @@ struct OxygenCarrier {
     r.group = "Da";
     r.threshold = 0.1;
     r.source = "Levenspiel 1999, Chemical Reaction Engineering, 3rd ed., ch. 5: conversion 1 - exp(-Da)";
-    r.missing = "scene.gas.fuel";
+    r.missing = oxidises() ? "scene.gas.oxygen" : "scene.gas.fuel, or list the effect with gas: O2,";
     const similitude::Bed& bed = evidence.bed;
     if (evidence.value == nullptr) return r;
     double fraction = 0;
     bool given = false;
     for (const double* values : {evidence.value, evidence.inflow_value}) {
       if (values == nullptr) continue;
-      for (const unsigned q : {unsigned(fuel), unsigned(oxygen)}) {
-        if (std::isnan(values[q])) continue;
-        given = true;
-        fraction = std::max(fraction, values[q]);
-      }
+      if (std::isnan(values[reacting()])) continue;
+      given = true;
+      fraction = std::max(fraction, values[reacting()]);
     }
     const double capacity = evidence.value[oxygen_capacity];
     if (!given) return r;

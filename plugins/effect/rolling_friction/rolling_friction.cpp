@@ -112,7 +112,7 @@ struct RollingFriction {
                 .group = "I",
                 .source = "inertial number: enduring contacts below, collisions above; GDR MiDi (2004), Eur. Phys. J. E 14, 341",
                 .needed_below = true,
-                .missing = "models.effects.rolling_friction.coefficient (it is the particles' shape)"};
+                .missing = "a coefficient in a list, [{id: rolling_friction, coefficient: 0.1}] (it is the particles' shape),"};
     if (number >= k_threshold) {
       r.verdict = Verdict::negligible;
     } else if (coefficient > 0) {

@@ -10,7 +10,7 @@ struct SubgridTurbulence {
 
   static void parameters(similitude::Parameters<SubgridTurbulence>& p) {
     p.real("smagorinsky", &SubgridTurbulence::smagorinsky,
-           {.unit = "1", .def = 0.17, .min = 0, .max = 1, .typical_min = 0.05, .typical_max = 0.25,
+           {.unit = "1", .def = 0.17, .min = 0, .max = 0.35, .typical_min = 0.05, .typical_max = 0.25,
             .doc = "Smagorinsky's constant: 0.17 in isotropic turbulence, 0.1 in shear flows",
             .reference = "Lilly 1967, IBM Sci. Comput. Symp. Environ. Sci., 195; Deardorff 1970, J. Fluid Mech. 41, 453"});
   }
