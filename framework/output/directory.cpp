@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array k_files_of_a_run = {"manifest.json", "particles.pvd", "fluid.pvd",   "monitors.csv",
-                                         "profiles.csv",  "profile_blocks.csv", "probes.csv", "timing.json", "report.html", "audit.json", "front_view.bin",
+                                         "profiles.csv",  "profile_blocks.csv", "probes.csv", "scalars.csv", "timing.json", "report.html", "audit.json", "front_view.bin",
                                          "view.py"};
 
 struct FrameFolder {

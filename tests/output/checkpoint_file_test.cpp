@@ -17,6 +17,7 @@ RunIdentity some_run() {
   RunIdentity run;
   run.program_version = "0.1.0";
   run.resolved_case = "{\n  \"title\": \"a bed\"\n}";
+  run.bed_sha256 = "def";
   run.plugins = {{"drag", "gidaspow", "1.0.0", "/somewhere/drag_gidaspow.so", "abc"}};
   run.dt = 1.0 / 3;
   run.sub_steps = 27;
@@ -141,6 +142,7 @@ TEST(CheckpointFile, BringsBackEveryNumber) {
     EXPECT_EQ(read.state.stages[1].seconds, state.stages[1].seconds);
     EXPECT_EQ(read.run.dt, 1.0 / 3);
     EXPECT_EQ(read.run.resolved_case, some_run().resolved_case);
+    EXPECT_EQ(read.run.bed_sha256, "def");
     EXPECT_EQ(read.run.plugins[0].sha256, "abc");
     EXPECT_EQ(read.run.resumed[0].threads, 2);
   }
