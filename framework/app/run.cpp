@@ -6,6 +6,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/write_report_after.h"
+#include "output/directory.h"
 #include "particles/errors.h"
 #include "scene/units.h"
 #include "scene/messages.h"
@@ -39,7 +40,7 @@ int run(const RunArguments& arguments, const std::string& command_line) {
   const std::filesystem::path folder = results_folder(case_file, options);
   try {
     const int status = run_case(case_file, plugins, options, std::cout);
-    write_report_after(folder);
+    if (holds_a_run(folder)) write_report_after(folder);   // not if a signal came before it began
     return status;
   } catch (const SimulationError&) {  // a guard: what there is until then is worth a look
     write_report_after(folder);

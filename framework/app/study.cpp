@@ -72,7 +72,7 @@ void print(const StudyPlan& plan, const StudyResult& result, std::ostream& out) 
   print_gaps(plan, result, out);
   for (const FrontierStep& step : result.frontier.steps)
     out << fmt::format("{} -> {}: {} x the time, {}{} % of error{}\n", step.from, step.to,
-                       ratio_text(step.time_ratio), step.error_change < 0 ? "" : "+", two_digits(100 * step.error_change),
+                       two_digits(step.time_ratio), step.error_change < 0 ? "" : "+", two_digits(100 * step.error_change),
                        step.distinguishable ? "" : ", not distinguishable");
   for (const StudyOrder& order : result.orders) {
     if (order.order.known())

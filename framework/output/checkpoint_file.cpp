@@ -369,6 +369,7 @@ Json identity_json(const RunIdentity& run, const RunState& state) {
   out["wall_s"] = state.wall_s;
   out["stages"] = Json::array();
   for (const StageTime& stage : state.stages) out["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}});
+  out["bed_sha256"] = run.bed_sha256;
   out["case"] = Json::parse(run.resolved_case);
   return out;
 }
@@ -388,6 +389,7 @@ void read_identity(const std::string& text, RunIdentity& run, RunState& state) {
   }
   state.wall_s = in.at("wall_s");
   for (const Json& stage : in.at("stages")) state.stages.push_back({stage.at("name"), stage.at("seconds")});
+  run.bed_sha256 = in.value("bed_sha256", "");   // older ones do not tell
   run.resolved_case = in.at("case").dump(2);
 }
 

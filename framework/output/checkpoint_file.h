@@ -17,9 +17,8 @@ namespace similitude {
 inline constexpr std::uint64_t k_checkpoint_format = 2;
 
 /// What a state belongs to: it goes on with the same case, steps and plugins only.
-struct RunIdentity {
+struct RunIdentity : CaseIdentity {
   std::string program_version;
-  std::string resolved_case;             // CaseFile::resolved
   std::vector<ManifestPlugin> plugins;
   double dt = 0;                         // [s], sub-step, simulated bed
   std::int64_t sub_steps = 0;            // to a gas step

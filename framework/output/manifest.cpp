@@ -116,7 +116,7 @@ std::string utc_now() {
   return text;
 }
 
-void write_manifest(const OutputDirectory& directory, const Manifest& m, const std::string& resolved_case) {
+void write_manifest(const OutputDirectory& directory, const Manifest& m, const CaseIdentity& identity) {
   json out;
   out["program"] = {{"name", "similitude"}, {"version", m.program_version}};
   out["abi"] = {{"major", SIMILITUDE_ABI_MAJOR}, {"minor", SIMILITUDE_ABI_MINOR}};
@@ -142,7 +142,8 @@ void write_manifest(const OutputDirectory& directory, const Manifest& m, const s
   out["scaling"] = {{"law", m.map_back.scaling_law}, {"ratios", ratios_json(m.scaling)}};
   out["map_back"] = map_back_json(m.map_back);
   out["plugins"] = plugins_json(m.plugins);
-  out["case"] = json::parse(resolved_case);
+  out["bed_sha256"] = identity.bed_sha256.empty() ? json(nullptr) : json(identity.bed_sha256);
+  out["case"] = json::parse(identity.resolved_case);
   // A path need not be UTF-8; a manifest must.
   write_whole_file(directory.file("manifest.json"), out.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }

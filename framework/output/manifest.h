@@ -29,6 +29,12 @@ struct Resumption {
   int threads = 1;
 };
 
+/// Which case a run is of.
+struct CaseIdentity {
+  std::string resolved_case;  // CaseFile::resolved: JSON text of a case file with every default filled in
+  std::string bed_sha256;     // of the bed's file; "" without one, or where an earlier run does not tell
+};
+
 struct Machine {
   std::string processor, kernel;
   int cores = 0;
@@ -38,7 +44,7 @@ Machine this_machine();
 struct Manifest {
   std::string program_version;  // "1.0.0"
   std::string command;          // as typed
-  std::string case_file;
+  std::string case_file;        // as it was read, absolute
   std::vector<ManifestPlugin> plugins;
   Machine machine;
   int threads = 1;
@@ -48,7 +54,7 @@ struct Manifest {
   std::vector<Resumption> resumed;
   std::string started, ended;      // UTC, ISO 8601; `ended` empty while running
   std::string status = "running";  // "running", "done", "stopped", "interrupted", "failed"
-  int exit_status = -1;            // of the process; -1 while running
+  int exit_status = -1;            // of the process; -1 while running, and of a run that failed
   std::string exit_reason;         // in words: "reached the end time", a guard's message, …
   double simulated_s = 0;          // [s], of the real bed, reached
   std::string state_hash;          // "" while running
@@ -57,8 +63,8 @@ struct Manifest {
 /// "2026-03-01T12:00:00Z"
 std::string utc_now();
 
-/// Replaces manifest.json as a whole; called at the start and at the end. `resolved_case`: CaseFile::resolved, JSON
-/// text of a case file with every default filled in, kept under "case". Throws OutputError.
-void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const std::string& resolved_case);
+/// Replaces manifest.json as a whole; called at the start and at the end. The resolved case is kept under "case". Throws
+/// OutputError.
+void write_manifest(const OutputDirectory& directory, const Manifest& manifest, const CaseIdentity& identity);
 
 }  // namespace similitude

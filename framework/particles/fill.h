@@ -20,7 +20,7 @@ struct FillOptions {
   double density_ratio = 1;                                         // of particles
   double velocity_ratio = 1;
   std::function<ContactModel(double stiffness_factor)> softer_law;  // for settling; empty: the case's law throughout
-  std::function<void(double fraction, const std::string& stage)> progress;   // 0 ... 1; may be empty
+  std::function<void(double fraction, const std::string& stage)> progress;   // 0 ... 1; may be empty; what it throws ends the filling
   std::string cache_folder;                                         // empty: cache_folder_of_beds()
   std::string law_sha256 = {};                                      // of the law's file: another build of it may settle another bed
 };

@@ -16,9 +16,11 @@
 namespace similitude {
 namespace {
 
-std::filesystem::path folder_of(const std::filesystem::path& case_file) {
-  return std::filesystem::absolute(case_file).lexically_normal().parent_path();
+std::filesystem::path absolute_path(const std::filesystem::path& case_file) {
+  return std::filesystem::absolute(case_file).lexically_normal();
 }
+
+std::filesystem::path folder_of(const std::filesystem::path& case_file) { return absolute_path(case_file).parent_path(); }
 
 /// First of all: a file of another version may have any keys.
 void check_version(const Document& document) {
@@ -109,6 +111,7 @@ CaseFile read_case(const std::filesystem::path& case_file, const Catalogue& cata
   const Section root(&document.root(), "", case_keys(), document.root().mark);
 
   CaseFile result;
+  result.path = absolute_path(case_file);
   RealScene& scene = result.scene;
   scene.name = case_file.stem().string();
   scene.folder = folder_of(case_file).string();

@@ -11,6 +11,7 @@
 namespace similitude {
 
 struct CaseFile {
+  std::filesystem::path path;                        // of the file that was read, absolute
   RealScene scene;
   std::vector<std::filesystem::path> plugin_paths;   // absolute
   std::string resolved;                              // JSON: the case with every default filled in, itself a case file

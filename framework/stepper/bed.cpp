@@ -5,6 +5,7 @@
 
 #include "output/sha256.h"
 #include "particles/bed_cache.h"
+#include "stepper/stop_signal.h"
 
 namespace similitude {
 
@@ -38,7 +39,11 @@ FillOptions fill_options(const Assembly& assembly, const TimeSteps& steps,
 StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
                      std::function<void(double fraction, const std::string& stage)> progress) {
   StartingBed bed{.particles = ParticleStore(store_fields(assembly)), .filled = {}};
-  bed.filled = fill_bed(bed.particles, assembly.model, assembly.contact, fill_options(assembly, steps, std::move(progress)));
+  const auto or_leave = [progress = std::move(progress)](double fraction, const std::string& stage) {
+    if (StopSignal::received() != 0) throw Interrupted();
+    if (progress) progress(fraction, stage);
+  };
+  bed.filled = fill_bed(bed.particles, assembly.model, assembly.contact, fill_options(assembly, steps, or_leave));
   return bed;
 }
 

@@ -16,6 +16,7 @@ struct StartingBed {
 
 /// The rows a run of these models needs, filled with the scene's bed at rest.
 StoreFields store_fields(const Assembly& assembly);
+/// `progress` may be empty. Throws Interrupted if a signal that StopSignal catches comes while the bed settles.
 StartingBed fill_bed(const Assembly& assembly, const TimeSteps& steps,
                      std::function<void(double fraction, const std::string& stage)> progress);
 

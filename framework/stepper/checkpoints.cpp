@@ -35,9 +35,9 @@ bool Snapshots::due() const { return !last_ || Clock::now() - taken_ >= k_share_
 
 std::shared_ptr<RunState> Snapshots::unused() {
   // The copies take turns, so that the memory of each is touched once.
-  std::swap(last_, other_);
-  if (!last_ || last_.use_count() > 1) last_ = std::make_shared<RunState>();
-  return last_;
+  std::shared_ptr<RunState> next = std::move(other_);
+  if (!next || next.use_count() > 1) next = std::make_shared<RunState>();
+  return next;
 }
 
 Checkpoints::Checkpoints(const OutputDirectory& directory, double every, RunIdentity run, std::deque<std::filesystem::path> kept,

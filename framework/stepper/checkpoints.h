@@ -22,12 +22,13 @@ class Snapshots {
  public:
   /// Has the run gone on for so long that a copy is negligible?
   bool due() const;
-  /// Calls fill(state) on memory that nobody reads any more.
+  /// Calls fill(state) on memory that nobody reads any more. If it throws, the last copy stays.
   template <class Fill>
   void take(Fill&& fill) {
     const Clock::time_point start = Clock::now();
     std::shared_ptr<RunState> next = unused();
     fill(*next);
+    other_ = std::move(last_);
     last_ = std::move(next);
     taken_ = Clock::now();
     cost_ = taken_ - start;
@@ -40,7 +41,7 @@ class Snapshots {
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::shared_ptr<RunState> unused();
+  std::shared_ptr<RunState> unused();   // taken out of `other_`, or new
 
   std::shared_ptr<RunState> last_, other_;
   Clock::time_point taken_{};

@@ -1,12 +1,16 @@
 #include "stepper/resume.h"
 
 #include <array>
+#include <cerrno>
+#include <fstream>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "loader/catalogue.h"
+#include "output/sha256.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -18,6 +22,7 @@ using Json = nlohmann::ordered_json;
 /// they were found in may change too.
 constexpr std::array<std::string_view, 6> k_free = {"/title",      "/time/end",        "/output/vtk", "/output/monitors",
                                                     "/output/checkpoint", "/plugin_paths"};
+constexpr std::string_view k_bed_file = "/scene/bed/file";
 
 bool is_free(const std::string& pointer) {
   for (const std::string_view free : k_free) {
@@ -38,12 +43,21 @@ std::string shown(const Json& value) { return value.is_string() ? value.get<std:
 /// Every value, by its path.
 Json values_of(const std::string& resolved_case) { return Json::parse(resolved_case).flatten(); }
 
-std::vector<std::string> case_differences(const std::string& before, const std::string& now) {
-  const Json was = values_of(before), is = values_of(now);
+std::string another_file(const std::string& was, const std::string& is, const std::string& file) {
+  return fmt::format("the file is another (SHA-256 was {:.12}…, is {:.12}… of {})", was, is, file);
+}
+
+std::vector<std::string> lines_of_difference(const CaseIdentity& before, const CaseIdentity& now) {
+  const Json was = values_of(before.resolved_case), is = values_of(now.resolved_case);
+  const bool bytes_are_known = !before.bed_sha256.empty() && !now.bed_sha256.empty();
   std::vector<std::string> lines;
   for (const auto& [pointer, value] : was.items()) {
     if (is_free(pointer)) continue;
-    if (!is.contains(pointer)) {
+    if (bytes_are_known && pointer == k_bed_file) {
+      if (before.bed_sha256 != now.bed_sha256) {
+        lines.push_back(dotted(pointer) + ": " + another_file(before.bed_sha256, now.bed_sha256, shown(is[pointer])));
+      }
+    } else if (!is.contains(pointer)) {
       lines.push_back(fmt::format("{}: was {}, is left out", dotted(pointer), shown(value)));
     } else if (is[pointer] != value) {
       lines.push_back(fmt::format("{}: was {}, is {}", dotted(pointer), shown(value), shown(is[pointer])));
@@ -72,7 +86,7 @@ std::vector<std::string> plugin_differences(const std::vector<ManifestPlugin>& b
     } else if (is->version != was.version) {
       lines.push_back(fmt::format("{}: was version {}, is {} ({})", name, was.version, is->version, is->file));
     } else if (is->sha256 != was.sha256) {
-      lines.push_back(fmt::format("{}: the file is another (SHA-256 was {:.12}…, is {:.12}… of {})", name, was.sha256, is->sha256, is->file));
+      lines.push_back(name + ": " + another_file(was.sha256, is->sha256, is->file));
     }
   }
   for (const ManifestPlugin& is : now) {
@@ -97,11 +111,24 @@ std::filesystem::path set_aside(const std::filesystem::path& file) {
 
 }  // namespace
 
+CaseIdentity identity_of(const CaseFile& case_file) {
+  const std::string& bed = case_file.scene.bed.file;
+  return {.resolved_case = case_file.resolved, .bed_sha256 = bed.empty() ? "" : sha256_of_file(bed)};
+}
+
+std::string case_differences(const CaseIdentity& before, const CaseIdentity& now) { return indented(lines_of_difference(before, now)); }
+
 EarlierRun newest_checkpoint(const OutputDirectory& directory, const std::function<void(const std::string&)>& warn) {
   const std::string anew = "Start the run anew with --force, or in another folder with -o.";
   const std::vector<std::filesystem::path> files = checkpoints_in(directory.file(k_checkpoint_folder));
   if (files.empty()) throw InputError(directory.path().string() + " holds no checkpoint.", anew);
   for (std::size_t n = 0; n < files.size(); ++n) {
+    // Out of reach is not damaged: it may be there again tomorrow.
+    if (const std::ifstream stream(files[n]); !stream) {
+      const int error = errno;
+      throw InputError(files[n].string() + " cannot be opened: " + std::generic_category().message(error) + ".",
+                       "Make it readable and resume again; if it is taken away, the checkpoint before it is used.");
+    }
     try {
       Checkpoint checkpoint = read_checkpoint(files[n]);
       return {std::move(checkpoint), {files.begin() + static_cast<std::ptrdiff_t>(n), files.end()}};
@@ -116,13 +143,13 @@ EarlierRun newest_checkpoint(const OutputDirectory& directory, const std::functi
 }
 
 void refuse_another_run(const RunIdentity& before, const RunIdentity& now) {
-  std::vector<std::string> differences = case_differences(before.resolved_case, now.resolved_case);
+  std::string differences = case_differences(before, now);
   if (differences.empty() && (before.dt != now.dt || before.sub_steps != now.sub_steps)) {
-    differences.push_back(fmt::format("time steps of the simulated bed: were {} x {:.17g} s, are {} x {:.17g} s", before.sub_steps, before.dt,
-                                      now.sub_steps, now.dt));
+    differences = indented({fmt::format("time steps of the simulated bed: were {} x {:.17g} s, are {} x {:.17g} s", before.sub_steps,
+                                        before.dt, now.sub_steps, now.dt)});
   }
   if (!differences.empty()) {
-    throw InputError("the earlier run was of another case:" + indented(differences),
+    throw InputError("the earlier run was of another case:" + differences,
                      "Undo these changes to go on with that run, or start a new one in another folder with -o.");
   }
   const std::vector<std::string> plugins = plugin_differences(before.plugins, now.plugins);

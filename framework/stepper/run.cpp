@@ -38,10 +38,10 @@ constexpr int k_exit_of_signal = 128;   // shells' convention: 128 + signal numb
 
 void warn(const std::string& text) { std::cerr << "warning: " << text << "\n"; }
 
-RunIdentity identity_of(const CaseFile& case_file, const Assembly& assembly, const TimeSteps& steps) {
+RunIdentity run_identity(const CaseFile& case_file, const Assembly& assembly, const TimeSteps& steps) {
   RunIdentity run;
+  static_cast<CaseIdentity&>(run) = identity_of(case_file);
   run.program_version = program_version();
-  run.resolved_case = case_file.resolved;
   for (const PluginEntry& plugin : assembly.plugins) run.plugins.push_back(manifest_plugin(plugin));
   run.dt = steps.dt;
   run.sub_steps = steps.sub_steps;
@@ -53,7 +53,7 @@ Manifest first_manifest(const CaseFile& case_file, const Assembly& assembly, con
   Manifest manifest;
   manifest.program_version = run.program_version;
   manifest.command = options.command;
-  manifest.case_file = case_file.scene.folder + "/" + case_file.scene.name + ".yaml";
+  manifest.case_file = case_file.path.string();
   manifest.plugins = run.plugins;
   manifest.machine = this_machine();
   manifest.threads = threads;
@@ -129,13 +129,13 @@ std::string books(const Balances& off) {
 class CaseRun {
  public:
   /// `earlier` null: from the start.
-  CaseRun(const Assembly& assembly, Simulation& simulation, const OutputDirectory& directory, Manifest manifest, std::string resolved_case,
+  CaseRun(const Assembly& assembly, Simulation& simulation, const OutputDirectory& directory, Manifest manifest, CaseIdentity identity,
           Checkpoints& checkpoints, const RunState* earlier)
       : assembly_(assembly),
         simulation_(simulation),
         directory_(directory),
         manifest_(std::move(manifest)),
-        resolved_case_(std::move(resolved_case)),
+        identity_(std::move(identity)),
         checkpoints_(checkpoints),
         outputs_(earlier != nullptr ? RunOutputs(directory, assembly, earlier->outputs, simulation.time()) : RunOutputs(directory, assembly)),
         occurred_(assembly),
@@ -146,12 +146,36 @@ class CaseRun {
     } else {
       outputs_.observe(simulation_);
     }
-    write_manifest(directory_, manifest_, resolved_case_);
+    write_manifest(directory_, manifest_, identity_);
   }
 
-  /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips.
+  /// To the end, or until a signal comes. Throws SimulationError, naming the last good state, when a guard trips. Whatever else is
+  /// thrown, by a full disk or for want of memory, is written into the manifest as far as that can be.
   void advance(std::int64_t gas_steps, double end) {
     Progress progress(std::cerr, Progress::screen_of_standard_error(), end);
+    try {
+      step_to(gas_steps, progress);
+      if (checkpoints_.wanted()) write_checkpoint();
+      const int signal_number = StopSignal::received();
+      if (signal_number != 0) {
+        finish(progress, "interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
+      } else {
+        finish(progress, "done", 0, "reached the end time");
+      }
+    } catch (const SimulationError&) {   // written down already
+      throw;
+    } catch (const std::exception& error) {
+      fail(progress, error.what());
+      throw;
+    }
+  }
+
+  const RunOutputs& outputs() const { return outputs_; }
+  const Occurred& occurred() const { return occurred_; }
+  const std::string& hash() const { return manifest_.state_hash; }
+
+ private:
+  void step_to(std::int64_t gas_steps, Progress& progress) {
     try {
       while (simulation_.steps_done() < gas_steps && StopSignal::received() == 0) {
         keep_a_copy();
@@ -165,20 +189,8 @@ class CaseRun {
       finish(progress, "stopped", 1, error.what());
       throw SimulationError(error.what(), where);
     }
-    if (checkpoints_.wanted()) write_checkpoint();
-    const int signal_number = StopSignal::received();
-    if (signal_number != 0) {
-      finish(progress, "interrupted", k_exit_of_signal + signal_number, fmt::format("signal {}", signal_number));
-    } else {
-      finish(progress, "done", 0, "reached the end time");
-    }
   }
 
-  const RunOutputs& outputs() const { return outputs_; }
-  const Occurred& occurred() const { return occurred_; }
-  const std::string& hash() const { return manifest_.state_hash; }
-
- private:
   /// For effects alone: a case that asks for none pays nothing.
   void look_at_what_occurs() {
     if (!asks_for_effects(assembly_.real) || simulation_.time() < next_look_) return;
@@ -224,6 +236,7 @@ class CaseRun {
     try {
       if (snapshots_.last()) simulation_.replay(snapshots_.last()->simulation, last_good);
     } catch (const std::exception&) {   // not the same bits a second time: nothing to trust, nothing to keep
+      spoilt_ = true;
       const std::filesystem::path newest = checkpoints_.newest();
       return newest.empty() ? "" : "The newest checkpoint is " + newest.string() + ".";
     }
@@ -248,31 +261,46 @@ class CaseRun {
   }
 
   void finish(Progress& progress, const std::string& status, int exit_status, const std::string& reason) {
-    outputs_.finish(simulation_);
+    if (!spoilt_) outputs_.finish(simulation_);
     progress.finish(progress_state());
     write_timing(directory_, {.wall_s = wall(),
                               .simulated_s = simulation_.time() / assembly_.results.time,
                               .particle_steps = simulation_.engine().report().particle_steps,
                               .stages = stages()});
+    if (!spoilt_) manifest_.state_hash = state_hash(simulation_.particles(), &simulation_.gas(), &simulation_.exchange().gas_fraction);
+    write_end(status, exit_status, reason);
+  }
+
+  /// Where it happened is not known: the state may be that of half a step, a table may be a row ahead. The last copy is whole.
+  void fail(Progress& progress, const std::string& reason) {
+    progress.finish(progress_state());
+    if (checkpoints_.wanted() && snapshots_.last()) checkpoints_.write(*snapshots_.last());
+    try {
+      write_end("failed", manifest_.exit_status, reason);
+    } catch (const std::exception&) {   // on a disk that is full this may fail as well: `reason` is thrown on
+    }
+  }
+
+  void write_end(const std::string& status, int exit_status, const std::string& reason) {
     manifest_.ended = utc_now();
     manifest_.status = status;
     manifest_.exit_status = exit_status;
     manifest_.exit_reason = reason;
     manifest_.simulated_s = simulation_.time() / assembly_.results.time;
-    manifest_.state_hash = state_hash(simulation_.particles(), &simulation_.gas(), &simulation_.exchange().gas_fraction);
-    write_manifest(directory_, manifest_, resolved_case_);
+    write_manifest(directory_, manifest_, identity_);
   }
 
   const Assembly& assembly_;
   Simulation& simulation_;
   const OutputDirectory& directory_;
   Manifest manifest_;
-  std::string resolved_case_;
+  CaseIdentity identity_;
   Checkpoints& checkpoints_;
   RunOutputs outputs_;
   Occurred occurred_;
   double next_look_ = 0;                    // [s]
   Snapshots snapshots_;
+  bool spoilt_ = false;                     // a guard tripped and no good state was found again
   std::uint64_t particle_steps_before_;
   double wall_before_ = 0;                  // [s], of earlier starts
   std::vector<StageTime> stages_before_;
@@ -309,16 +337,17 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
       options.resume ? OutputDirectory::of_earlier_run(folder) : OutputDirectory(folder, options.force);
 
   const StopSignal stop_signal;
-  RunIdentity run = identity_of(case_file, assembly, steps);
+  RunIdentity run = run_identity(case_file, assembly, steps);
   std::optional<EarlierRun> earlier;
   StartingBed bed{.particles = ParticleStore(store_fields(assembly)), .filled = {}};
   if (options.resume) {
     earlier = newest_checkpoint(directory, warn);
     const Checkpoint& checkpoint = earlier->checkpoint;
     refuse_another_run(checkpoint.run, run);
+    const CaseIdentity now = run;
     run = checkpoint.run;
+    static_cast<CaseIdentity&>(run) = now;
     run.program_version = program_version();
-    run.resolved_case = case_file.resolved;
     run.resumed.push_back({.checkpoint = earlier->files.front().string(),
                            .simulated_s = static_cast<double>(checkpoint.state.simulation.steps_done) * steps.gas_dt() / assembly.results.time,
                            .started = utc_now(),
@@ -326,11 +355,16 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
                            .threads = threads});
     bed.particles.copy_rows(checkpoint.state.simulation.particles);
   } else {
-    bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
-      if (stage == said) return;
-      said = stage;
-      std::cerr << stage << " …\n";
-    });
+    try {
+      bed = fill_bed(assembly, steps, [said = std::string()](double, const std::string& stage) mutable {
+        if (stage == said) return;
+        said = stage;
+        std::cerr << stage << " …\n";
+      });
+    } catch (const Interrupted&) {
+      out << "\ninterrupted while the bed settled: nothing is kept of it\n";
+      return k_exit_of_signal + StopSignal::received();
+    }
     run.started = utc_now();
     run.particles = bed.particles.size();
     run.solids_fraction = bed.filled.solids_fraction;
@@ -349,8 +383,8 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   write_audit_of(directory, assembly, catalogue);
   Checkpoints checkpoints(directory, assembly.model.output.checkpoint_every, run, earlier ? earlier->files : std::deque<std::filesystem::path>{},
                           warn);
-  CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), case_file.resolved,
-                   checkpoints, earlier ? &earlier->checkpoint.state : nullptr);
+  CaseRun case_run(assembly, simulation, directory, first_manifest(case_file, assembly, options, threads, run), run, checkpoints,
+                   earlier ? &earlier->checkpoint.state : nullptr);
   earlier.reset();
   case_run.advance(gas_steps, end);
 

@@ -24,8 +24,9 @@ struct RunOptions {
 std::filesystem::path results_folder(const CaseFile& case_file, const RunOptions& options);
 
 /// Runs the case, talking to `out` (results) and to standard error (progress, warnings). Returns the exit status: 0 done,
-/// 130/143 interrupted. A guard's SimulationError is written into the manifest and thrown on. Throws InputError, PluginError,
-/// OutputError before the run starts, leaving no half-written folder.
+/// 130/143 interrupted. A guard's SimulationError is written into the manifest and thrown on, as is whatever else ends the run
+/// (OutputError of a full disk). Throws InputError, PluginError, OutputError before the run starts, leaving no half-written
+/// folder; a signal while the bed settles leaves none either.
 int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOptions& options, std::ostream& out);
 
 }  // namespace similitude

@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loader/number_text.h"
+
 namespace similitude {
 namespace {
 
 constexpr double k_as_fast = 1.1;  // two wall times closer than this are called the same: what one machine repeats
-
-std::string two_digits(double value) {
-  return std::abs(value) < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
-}
 
 bool placed(const Contender& c) { return !std::isnan(c.wall_s) && c.error.known(); }
 
@@ -33,8 +31,8 @@ std::vector<Contender> all_placed(const std::vector<Contender>& contenders) {
 /// "4.1 x faster than exact", "as fast as exact", "1.5 x slower than exact".
 std::string speed_against(const Contender& one, const Contender& other) {
   const double ratio = other.wall_s / one.wall_s;
-  if (ratio > k_as_fast) return ratio_text(ratio) + " x faster than " + other.name;
-  if (ratio < 1 / k_as_fast) return ratio_text(1 / ratio) + " x slower than " + other.name;
+  if (ratio > k_as_fast) return two_digits(ratio) + " x faster than " + other.name;
+  if (ratio < 1 / k_as_fast) return two_digits(1 / ratio) + " x slower than " + other.name;
   return "as fast as " + other.name;
 }
 
@@ -44,7 +42,7 @@ std::string neighbours(const Contender& chosen, const Contender& best, const std
   if (chosen.name != best.name) {
     const double ratio = best.wall_s / chosen.wall_s;
     return "cannot be told from " + best.name + "'s, " + percent_text(best.error) +
-           (ratio > k_as_fast ? ", which takes " + ratio_text(ratio) + " x as long" : ", which takes as long");
+           (ratio > k_as_fast ? ", which takes " + two_digits(ratio) + " x as long" : ", which takes as long");
   }
   const Contender* faster = nullptr;  // the most accurate of those that are faster
   for (const Contender& c : others)
@@ -52,7 +50,7 @@ std::string neighbours(const Contender& chosen, const Contender& best, const std
   if (faster == nullptr) return others.size() > 1 ? "is also the smallest" : "has nothing to be compared with";
   const double ratio = chosen.wall_s / faster->wall_s;
   return "is the smallest; " + faster->name +
-         (ratio > k_as_fast ? " is " + ratio_text(ratio) + " x faster still" : " is as fast") + ", but off by " +
+         (ratio > k_as_fast ? " is " + two_digits(ratio) + " x faster still" : " is as fast") + ", but off by " +
          percent_text(faster->error);
 }
 
@@ -102,7 +100,7 @@ std::string advice(const std::vector<Contender>& contenders, const std::string& 
   const Contender& fastest = candidates.front();
   if (reference != nullptr && reference->wall_s * k_as_fast < fastest.wall_s)
     return fmt::format("Nothing here beats {}: the fastest other case, {}, takes {} x as long, and its {} is {}.",
-                       reference->name, fastest.name, ratio_text(fastest.wall_s / reference->wall_s), metric,
+                       reference->name, fastest.name, two_digits(fastest.wall_s / reference->wall_s), metric,
                        percent_text(fastest.error));
 
   const Contender& best =
@@ -127,7 +125,5 @@ std::string percent_text(const Estimate& error) {
   if (error.low <= 0 && error.high > 0) return "0 to " + bound + two_digits(100 * error.high) + " %";
   return two_digits(100 * error.value) + " ± " + bound + two_digits(100 * error.half_width()) + " %";
 }
-
-std::string ratio_text(double ratio) { return two_digits(ratio); }
 
 }  // namespace similitude

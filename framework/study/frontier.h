@@ -42,7 +42,5 @@ std::string advice(const std::vector<Contender>& contenders, const std::string& 
 
 /// "6 ± 4 %": value and half the interval; "0 to 4 %" where it reaches zero; "at least 4 %" where it is a lower bound.
 std::string percent_text(const Estimate& error);
-/// "4.1": two digits, whole numbers from 10 on.
-std::string ratio_text(double ratio);
 
 }  // namespace similitude

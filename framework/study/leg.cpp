@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "output/checkpoint_file.h"
 #include "output/number.h"
 #include "output/whole_file.h"
+#include "stepper/resume.h"
 #include "stepper/stop_signal.h"
 #include "study/child_run.h"
 
@@ -25,12 +26,10 @@ constexpr const char* k_log_file = "run.log";
 /// What resuming reads: the newest checkpoint and the files beside it, not the frames.
 bool copy_last_state(const fs::path& run, const fs::path& to) {
   std::error_code error;
-  fs::path newest;
-  for (const fs::directory_entry& entry : fs::directory_iterator(run / "checkpoints", error))
-    if (entry.path().extension() == ".h5") newest = std::max(newest, entry.path());  // numbered by steps, same width
-  if (newest.empty()) return false;
-  fs::create_directories(to / "checkpoints", error);
-  fs::copy_file(newest, to / "checkpoints" / newest.filename(), error);
+  const std::vector<fs::path> checkpoints = checkpoints_in(run / k_checkpoint_folder);
+  if (checkpoints.empty()) return false;
+  fs::create_directories(to / k_checkpoint_folder, error);
+  fs::copy_file(checkpoints.front(), to / k_checkpoint_folder / checkpoints.front().filename(), error);
   for (const fs::directory_entry& entry : fs::directory_iterator(run, error))
     if (entry.is_regular_file() && entry.path().extension() != ".html") fs::copy_file(entry.path(), to / entry.path().filename(), error);
   return !error;
@@ -73,7 +72,7 @@ std::string run_leg(const fs::path& run, const fs::path& leg, double length, int
   fs::remove_all(leg, ignored);
   fs::create_directories(leg, ignored);
   const RunTiming whole = read_timing(run);
-  write_whole_file(case_of_leg(leg), read_manifest(run).case_text + "\n");
+  write_whole_file(case_of_leg(leg), read_manifest(run).identity.resolved_case + "\n");
 
   const auto go = [&](double until, const char* how) {
     std::vector<std::string> arguments{"run", case_of_leg(leg).string(), "-o", leg.string(), how, "--until", round_trip(until) + " s"};
@@ -104,7 +103,7 @@ std::string run_leg(const fs::path& run, const fs::path& leg, double length, int
 std::optional<Leg> read_leg(const fs::path& run, const fs::path& leg) {
   std::ifstream stream(leg / k_leg_file);
   const json page = json::parse(stream, nullptr, false);
-  if (page.is_discarded() || !same_case(read_manifest(leg).case_text, read_manifest(run).case_text)) return {};
+  if (page.is_discarded() || !case_differences(read_manifest(leg).identity, read_manifest(run).identity).empty()) return {};
   Leg timed{.simulated_s = 0, .peak_memory_bytes = page.at("peak_memory_bytes").get<double>(), .whole_run = read_timing_file(leg / k_leg_file)};
   RunTiming& whole = timed.whole_run;
   timed.simulated_s = whole.simulated_s;

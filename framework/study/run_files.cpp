@@ -7,6 +7,7 @@
 
 #include "scene/messages.h"
 #include "scene/section.h"
+#include "scene/units.h"
 #include "output/csv_table.h"
 #include "study/metrics.h"
 
@@ -29,10 +30,13 @@ json read_json(const fs::path& file) {
 template <class Read>
 auto as_written(const fs::path& file, Read read) {
   const json page = read_json(file);
+  const InputError another(file.string() + ": this file is not as a run writes it.", "Was it written by another version?");
   try {
     return read(page);
   } catch (const json::exception&) {
-    throw InputError(file.string() + ": this file is not as a run writes it.", "Was it written by another version?");
+    throw another;
+  } catch (const QuantityError&) {
+    throw another;
   }
 }
 
@@ -83,7 +87,11 @@ RunManifest read_manifest(const fs::path& folder) {
     manifest.exit_reason = page.at("exit_reason").get<std::string>();
     if (page.at("state_hash").is_string()) manifest.state_hash = page.at("state_hash").get<std::string>();
     manifest.particles = page.at("particles").get<std::int64_t>();
-    manifest.case_text = page.at("case").dump(2);
+    manifest.identity.resolved_case = page.at("case").dump(2);
+    if (const auto bed = page.find("bed_sha256"); bed != page.end() && bed->is_string())   // older runs do not tell
+      manifest.identity.bed_sha256 = bed->get<std::string>();
+    manifest.simulated_s = page.at("simulated_s").get<double>();
+    manifest.end = parse_quantity(page.at("case").at("time").at("end").get<std::string>(), "s");
     manifest.machine.processor = page.at("machine").at("processor").get<std::string>();
     manifest.machine.cores = page.at("machine").at("cores").get<int>();
     manifest.machine.kernel = page.at("machine").at("kernel").get<std::string>();
@@ -170,11 +178,6 @@ Observations read_measured(const fs::path& file) {
         {.x = x[k], .z = z[k], .mean = mean[k], .standard_error = error[k], .blocks = 0, .in_blocks = {}});
   }
   return seen;
-}
-
-bool same_case(const std::string& json_a, const std::string& json_b) {
-  const json a = json::parse(json_a, nullptr, false), b = json::parse(json_b, nullptr, false);
-  return !a.is_discarded() && a == b;
 }
 
 }  // namespace similitude

@@ -26,7 +26,8 @@ struct RunTiming {
 struct RunManifest {
   std::string status, exit_reason, state_hash;
   std::int64_t particles = 0;
-  std::string case_text;  // JSON: the case as resolved
+  CaseIdentity identity;
+  double simulated_s = 0, end = 0;  // [s] of the real bed: reached, and of the case
   Machine machine;
   int threads = 0;
   bool at_one_go = true;  // not in parts, which may be of several machines
@@ -52,8 +53,5 @@ RunTiming read_timing_file(const std::filesystem::path& file);
 Observations read_observations(const std::filesystem::path& folder, double from);
 /// Measured data: sampler, x, z, mean and, if known, standard error. A row without x and z gives a metric by its name.
 Observations read_measured(const std::filesystem::path& file);
-
-/// Do two resolved cases say the same?
-bool same_case(const std::string& json_a, const std::string& json_b);
 
 }  // namespace similitude

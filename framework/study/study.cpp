@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "output/checkpoint_file.h"
 #include "output/whole_file.h"
 #include "scene/case_file.h"
 #include "scene/messages.h"
 #include "scene/units.h"
 #include "stepper/prediction.h"
+#include "stepper/resume.h"
 #include "stepper/stop_signal.h"
 #include "study/child_run.h"
 #include "study/leg.h"
@@ -22,34 +24,34 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int k_exit_of_signal = 128;  // shells' convention
-constexpr int k_wrong_input = 2;       // exit status of `similitude run`
+constexpr double k_rounding = 1e-9;    // relative, of times that were written and read
 constexpr const char* k_log_file = "run.log";
 constexpr const char* k_leg_folder = "leg";  // in the folder of a case
 constexpr const char* k_reference_leg_folder = "reference_leg";
 
 // --------------------------------------------------------------------------------------------------------- running
 
-bool finished(const fs::path& folder, const std::string& resolved) {
-  if (!has_manifest(folder)) return false;
-  try {
-    const RunManifest manifest = read_manifest(folder);
-    return manifest.done() && same_case(manifest.case_text, resolved);
-  } catch (const InputError&) {
-    return false;
-  }
-}
+/// What a case's folder holds. Only what is worth nothing is written over.
+enum class Earlier { nothing, half_finished, finished };
 
-/// A half-finished run of the same case can be gone on with; anything else is done anew.
-bool can_be_resumed(const fs::path& folder, const std::string& resolved) {
-  std::error_code ignored;
-  if (!has_manifest(folder) || !fs::is_directory(folder / "checkpoints", ignored) ||
-      fs::is_empty(folder / "checkpoints", ignored))
-    return false;
-  try {
-    return same_case(read_manifest(folder).case_text, resolved);
-  } catch (const InputError&) {
-    return false;
-  }
+/// Throws InputError for a run of another case that was finished or could go on; of one that a guard stopped nothing more
+/// comes.
+Earlier earlier_run(const fs::path& folder, const PlannedCase& planned) {
+  const bool can_go_on = !checkpoints_in(folder / k_checkpoint_folder).empty();
+  const Earlier unfinished = can_go_on ? Earlier::half_finished : Earlier::nothing;
+  if (!has_manifest(folder)) return unfinished;
+  const RunManifest manifest = read_manifest(folder);
+  const bool at_the_end = manifest.done() && manifest.simulated_s >= planned.end * (1 - k_rounding);
+  std::string differences = case_differences(manifest.identity, planned.identity);
+  if (manifest.end > planned.end * (1 + k_rounding))
+    differences += fmt::format("\n    time.end: was {:.6g} s, is {:.6g} s", manifest.end, planned.end);
+  if (manifest.done() && !at_the_end && !can_go_on)
+    differences += fmt::format("\n    time.end: was run to {:.6g} s without a checkpoint to go on from, is {:.6g} s",
+                               manifest.simulated_s, planned.end);
+  if (differences.empty()) return at_the_end ? Earlier::finished : unfinished;
+  if (!manifest.done() && (!can_go_on || manifest.status == "stopped")) return Earlier::nothing;
+  throw InputError(folder.string() + " holds a run of another case:" + differences,
+                   "Give another folder with -o, or remove that one to have the case run anew.");
 }
 
 std::vector<std::string> arguments_of(const StudyPlan& plan, const PlannedCase& planned, const fs::path& folder) {
@@ -124,20 +126,22 @@ std::string time_here(const StudyPlan& plan, const Catalogue& catalogue, const f
 
 /// A line that says how it ended.
 std::string run_one(const StudyPlan& plan, const PlannedCase& planned, const Catalogue& catalogue, const fs::path& folder) {
-  if (finished(folder, planned.resolved))
+  const Earlier earlier = earlier_run(folder, planned);
+  if (earlier == Earlier::finished)
     return timed_here(folder) ? "was done before" : "was done elsewhere; " + time_here(plan, catalogue, folder, folder / k_leg_folder);
   make_folder(folder);
   const Prediction predicted = predict(plan.study.base, planned.overrides, plan.study.threads, catalogue);
   if (StopSignal::received() != 0) return "interrupted";
   std::error_code ignored;
   remove_cost(folder);
-  const bool resumed = can_be_resumed(folder, planned.resolved);
-  const bool begun_here = !resumed || made_here(read_manifest(folder));
+  bool resumed = earlier == Earlier::half_finished;
+  const bool begun_here = !resumed || (has_manifest(folder) && made_here(read_manifest(folder)));
   std::vector<std::string> arguments = arguments_of(plan, planned, folder);
   arguments.push_back(resumed ? "--resume" : "--force");
   if (!resumed) fs::remove(folder / k_log_file, ignored);
   ChildOutcome outcome = run_child(arguments, folder / k_log_file);
-  if (resumed && outcome.exit_status == k_wrong_input) {  // checkpoints that cannot be read
+  if (outcome.exit_status != 0 && resumed && earlier_run(folder, planned) == Earlier::nothing) {
+    resumed = false;  // no checkpoint could be read: the run has set all of them aside
     arguments.back() = "--force";
     outcome = run_child(arguments, folder / k_log_file);
   }
@@ -202,14 +206,14 @@ StudyCase read_case_of(const PlannedCase& planned, const fs::path& folder) {
   const RunManifest manifest = read_manifest(folder);
   one.status = manifest.status;
   one.particles = manifest.particles;
-  one.done = finished(folder, planned.resolved);
+  one.done = earlier_run(folder, planned) == Earlier::finished;
   one.reason = one.done ? "" : manifest.exit_reason;
   if (one.done) {
     one.state_hash = manifest.state_hash;
     read_cost_into(one, folder);
   } else if (manifest.done()) {
     one.status = "not run";
-    one.reason = "the folder holds another case";
+    one.reason = "it was not run to its end";
   }
   return one;
 }
@@ -309,6 +313,7 @@ bool holds_a_study(const fs::path& folder, const StudyPlan& plan) {
 }
 
 int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const fs::path& folder, const std::function<void(const std::string&)>& say) {
+  for (const PlannedCase& planned : plan.cases) earlier_run(folder / planned.name, planned);  // refuses another case's
   make_folder(folder);
   const StopSignal stop_signal;
   if (plan.stored && plan.study.leg > 0)

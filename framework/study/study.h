@@ -49,7 +49,8 @@ struct StudyResult {
 bool holds_a_study(const std::filesystem::path& folder, const StudyPlan& plan);
 
 /// Runs every case that is not finished, one after the other, each in its folder. `say` gets a line per case. Returns
-/// 0, or 130/143 if a signal came: then the rest was not run. Throws OutputError.
+/// 0, or 130/143 if a signal came: then the rest was not run. Throws OutputError, and InputError before anything is run if a
+/// case's folder holds a run of another case that is worth keeping.
 int run_cases(const StudyPlan& plan, const Catalogue& catalogue, const std::filesystem::path& folder,
               const std::function<void(const std::string&)>& say);
 

@@ -11,6 +11,7 @@
 #include "scene/section.h"
 #include "scene/units.h"
 #include "stepper/assembly.h"
+#include "stepper/resume.h"
 #include "stepper/time_steps.h"
 #include "study/case_matrix.h"
 
@@ -189,7 +190,7 @@ void read_stored_run(StudyPlan& plan, const std::vector<double>& heights) {
                      "Run it to its end, or take another reference.");
   const double from = plan.cases.front().from;
   plan.outside = read_observations(reference.path, from);
-  if (const double stored_from = profiles_from(plan.stored->case_text);
+  if (const double stored_from = profiles_from(plan.stored->identity.resolved_case);
       std::abs(stored_from - from) > k_same_place * from)
     plan.warnings.push_back("the profiles of " + reference.path_as_written + " are averaged from " +
                             format_quantity(stored_from, "s") + " on, those of the cases from " +
@@ -237,7 +238,7 @@ StudyPlan plan_study(const StudyFile& study, const Catalogue& catalogue) {
     for (const Setting& setting : settings) planned.overrides.push_back(setting.assignment());
     if (left_to_default) read[k] = read_and_assemble(study, catalogue, settings, planned.name, ignored);
     const RealScene& scene = read[k].file.scene;
-    planned.resolved = read[k].file.resolved;
+    planned.identity = identity_of(read[k].file);
     planned.from = study.from.value_or(scene.output.profiles.from);
     planned.end = scene.time.end;
     planned.dt = read[k].dt;

@@ -15,7 +15,7 @@ struct PlannedCase {
   std::string name;
   std::vector<Setting> settings;       // its own
   std::vector<std::string> overrides;  // all, for --set, the later win
-  std::string resolved;                // JSON
+  CaseIdentity identity;
   double from = 0, end = 0;            // [s]: averages begin, the run ends
   double dt = 0;                       // [s] of the real bed, as it will be
   double cell = 0;                     // [m] of the real bed, along x

@@ -1,5 +1,7 @@
 """Runs the command under test in a scratch folder."""
 import os
+import resource
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -45,11 +47,15 @@ class CommandTest(unittest.TestCase):
             file.write(text)
         return self.path(name)
 
-    def command(self, *arguments, **environment):
-        """Runs `similitude arguments…` in the scratch folder."""
+    def command(self, *arguments, largest_file=None, **environment):
+        """Runs `similitude arguments…` in the scratch folder; no file may grow beyond `largest_file` bytes, as on a full disk."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         return subprocess.run(
             [SIMILITUDE, *arguments], cwd=self.folder.name, capture_output=True, text=True, timeout=HUNG,
-            env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2", **environment}, check=False)
+            env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2", **environment}, check=False,
+            preexec_fn=limit if largest_file else None, restore_signals=largest_file is None)
 
     def run_case(self, text, *arguments, **environment):
         return self.command("run", self.write(text), "-o", self.path("out"), *arguments, **environment)

@@ -103,6 +103,17 @@ class Guards(CommandTest):
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertNotIn("warning", again.stderr)
 
+    def test_of_a_state_that_cannot_be_found_again_nothing_is_shown(self):
+        stopped = self.run_case(self.fluid("no_way_back"), SIMILITUDE_PLUGIN_PATH=TRIPWIRES)
+        self.assertEqual(stopped.returncode, 1)
+        self.assertTrue(stopped.stderr.endswith("Give it a rest.\n"), stopped.stderr)
+        with open(self.path("out/manifest.json"), encoding="utf-8") as file:
+            manifest = json.load(file)
+        self.assertEqual(manifest["status"], "stopped")
+        self.assertIsNone(manifest["state_hash"])
+        self.assertFalse(os.path.exists(self.path("out/profiles.csv")))
+        self.assertEqual(os.listdir(self.path("out/particles")), ["particles_000000.vtp"])   # of the start
+
     def test_without_frames_and_checkpoints_nothing_is_written_and_nothing_promised(self):
         text = self.fluid("failure").replace("vtk: every 5 ms", "vtk: none, checkpoint: none")
         stopped = self.run_case(text, SIMILITUDE_PLUGIN_PATH=TRIPWIRES)

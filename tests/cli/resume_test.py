@@ -3,7 +3,6 @@ import filecmp
 import json
 import os
 import random
-import resource
 import shutil
 import signal
 import subprocess
@@ -143,6 +142,24 @@ class Resume(ResumeTest):
             self.done("out", SMALL.replace("end: 10 ms", "end: 100 s"), "--until", f"{reached + 2e-3} s", "--resume")
             self.assert_same_results("whole", "out")
 
+    def test_a_signal_while_the_bed_settles_leaves_nothing(self):
+        case = self.write(SMALL.replace("{fill: lattice}", "{fill: settle, cache: false}").replace("count: 300", "count: 3000"))
+        with subprocess.Popen([SIMILITUDE, "run", case, "-o", self.path("out")], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, cwd=self.folder.name) as process:
+            self.assertTrue(any(line == "parting neighbours …\n" for line in process.stderr))   # the first of five stages
+            process.send_signal(signal.SIGTERM)
+            said, _ = process.communicate(timeout=HUNG)
+        self.assertEqual(process.returncode, 143)
+        self.assertEqual(said, "\ninterrupted while the bed settled: nothing is kept of it\n")
+        self.assertEqual(os.listdir(self.path("out")), [])
+
+    def test_the_manifest_names_the_file_that_was_read(self):
+        for name in ("bed.yml", "case.json"):
+            self.write(SMALL, name)
+            finished = self.command("run", name, "-o", self.path(name + ".out"), "--until", "0.1 ms")
+            self.assertEqual(finished.returncode, 0, finished.stderr)
+            self.assertTrue(os.path.samefile(self.manifest(name + ".out")["case_file"], self.path(name)))
+
 
 class Refusals(ResumeTest):
     def setUp(self):
@@ -200,6 +217,15 @@ class Refusals(ResumeTest):
         self.refused(OFTEN, 2, f"none of the checkpoints in {self.path('out')} can be read.\n"
                                "  Start the run anew with --force, or in another folder with -o.")
 
+    def test_one_out_of_reach_is_not_taken_for_damaged(self):
+        newest = self.newest("out")
+        os.rename(newest, self.path("moved.h5"))
+        os.symlink(self.path("nowhere.h5"), newest)
+        self.refused(OFTEN, 2, newest + " cannot be opened: No such file or directory.\n"
+                               "  Make it readable and resume again; if it is taken away, the checkpoint before it is used.")
+        os.replace(self.path("moved.h5"), newest)
+        self.done("out", OFTEN, "--resume")
+
     def test_none_at_all(self):
         shutil.rmtree(self.path("out/checkpoints"))
         self.refused(OFTEN, 2, "holds no checkpoint.\n  Start the run anew with --force")
@@ -225,13 +251,9 @@ class Refusals(ResumeTest):
 
 
 class FullDisk(ResumeTest):
-    def limited(self, text, *arguments):
+    def limited(self, text, *arguments, most=100_000):
         """No file may grow beyond 100 kB: less than a checkpoint of this bed, more than any other file."""
-        def limit():
-            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, 100_000))
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        return subprocess.run([SIMILITUDE, "run", self.write(text), "-o", self.path("out"), *arguments], cwd=self.folder.name,
-                              capture_output=True, text=True, timeout=HUNG, preexec_fn=limit, restore_signals=False, check=False)
+        return self.command("run", self.write(text), "-o", self.path("out"), *arguments, largest_file=most)
 
     def test_the_run_goes_on_and_says_it_once(self):
         finished = self.limited(OFTEN)
@@ -251,6 +273,23 @@ class FullDisk(ResumeTest):
         self.assertEqual(self.newest("out"), newest)
         self.done("out", OFTEN, "--resume")
         self.done("whole", SMALL)
+        self.assert_same_results("whole", "out")
+
+    def test_a_table_that_can_grow_no_further_ends_the_run_where_it_can_be_gone_on_from(self):
+        growing = LONGER.replace("monitors: every 1 ms", "monitors: every 50 us").replace("vtk: every 20 ms", "vtk: none")
+        self.done("whole", growing)
+        checkpoint, table = os.path.getsize(self.newest("whole")), os.path.getsize(self.path("whole/monitors.csv"))
+        self.assertGreater(table, 1.5 * checkpoint)
+        finished = self.limited(growing, most=(checkpoint + table) // 2)
+        self.assertEqual(finished.returncode, 2, finished.stderr)
+        reason = self.path("out/monitors.csv") + ": cannot be written: File too large."
+        self.assertIn("error: " + reason, finished.stderr)
+        manifest = self.manifest("out")
+        self.assertEqual(manifest["status"], "failed")
+        self.assertEqual(manifest["exit_reason"].split("\n")[0], reason)
+        self.assertIsNotNone(manifest["ended"])
+        self.assertIsNone(manifest["state_hash"])
+        self.done("out", growing, "--resume")
         self.assert_same_results("whole", "out")
 
 

@@ -11,6 +11,8 @@ import unittest
 from command import HUNG, SIMILITUDE, SMALL, SOURCE, CommandTest
 
 CASE = SMALL.replace("{end: 10 ms, dt: auto}", "{end: 40 ms, dt: auto}").replace("vtk: every 5 ms", "vtk: none").replace("count: 300", "count: 900")
+# For what does not ask what comes out.
+SHORT = CASE.replace("{end: 40 ms", "{end: 12 ms")
 
 STUDY = """\
 similitude_study: 1
@@ -38,8 +40,35 @@ class Study(CommandTest):
         super().setUp()
         self.write(CASE)
 
-    def study(self, text, *arguments):
-        return self.command("study", self.write(text, "study.yaml"), "-o", "out", *arguments)
+    def study(self, text, *arguments, **options):
+        return self.command("study", self.write(text, "study.yaml"), "-o", "out", *arguments, **options)
+
+    def killed_when(self, ready):
+        """Starts the study anew and kills it, where it cannot help itself, once ready() says so. Was it at work then?"""
+        shutil.rmtree(self.path("out"))
+        reading, writing = os.pipe()
+        running = subprocess.Popen([SIMILITUDE, "study", "study.yaml", "-o", "out"], cwd=self.folder.name, pass_fds=[writing],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                   env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2"})
+        os.close(writing)
+        deadline = time.monotonic() + HUNG
+        while running.poll() is None and not ready() and time.monotonic() < deadline:
+            time.sleep(0.01)
+        running.kill()
+        with os.fdopen(reading, "rb") as pipe:
+            pipe.read()   # to its end: when the study and its child are gone, which hold the other side
+        return running.wait() == -signal.SIGKILL
+
+    def manifest(self, folder):
+        with open(self.path(folder + "/manifest.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def change_manifest(self, folder, **changes):
+        self.write(json.dumps({**self.manifest(folder), **changes}), folder + "/manifest.json")
+
+    def checkpoints(self, folder):
+        place = self.path(folder + "/checkpoints")
+        return [name for name in os.listdir(place) if name.endswith(".h5")] if os.path.isdir(place) else []
 
     def page(self, folder="out"):
         with open(self.path(folder + "/study.json"), encoding="utf-8") as file:
@@ -90,43 +119,118 @@ class Study(CommandTest):
         self.assertEqual(self.page(), before)
 
     def test_killed_and_resumed_it_says_the_same(self):
+        began = time.monotonic()
         self.assertEqual(self.study(STUDY).returncode, 0)
+        duration = time.monotonic() - began
         whole = without_times(self.page())
-        # Killed where it cannot help itself, at three places of its life.
-        for seconds in (0.1, 0.6, 1.2):
-            shutil.rmtree(self.path("out"))
-            running = subprocess.Popen([SIMILITUDE, "study", "study.yaml", "-o", "out"], cwd=self.folder.name,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                       env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2"})
-            time.sleep(seconds)
-            running.send_signal(signal.SIGKILL)
-            running.wait()
-            time.sleep(0.3)   # its child ends by itself
+        kills = 0
+        for share in (0.1, 0.4, 0.7):   # of its life, which is not always as long
+            end = time.monotonic() + share * duration
+            kills += self.killed_when(lambda: time.monotonic() > end)
             done = self.study(STUDY, "--resume")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(without_times(self.page()), whole)
+        self.assertGreater(kills, 0)
 
     def test_killed_in_the_middle_of_a_run_it_goes_on_from_the_checkpoint(self):
-        self.write(CASE.replace("vtk: none", "vtk: none, checkpoint: every 0.1 s").replace("{end: 40 ms", "{end: 60 ms"))
+        self.write(CASE.replace("vtk: none", "vtk: none, checkpoint: every 1 us").replace("{end: 40 ms", "{end: 60 ms"))
         self.assertEqual(self.study(STUDY).returncode, 0)
         whole = without_times(self.page())
         for case in ("gidaspow", "di_felice"):
-            shutil.rmtree(self.path("out"))
-            running = subprocess.Popen([SIMILITUDE, "study", "study.yaml", "-o", "out"], cwd=self.folder.name,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                       env={**os.environ, "XDG_CACHE_HOME": self.path("cache"), "OMP_NUM_THREADS": "2"})
-            checkpoints = self.path(f"out/{case}/checkpoints")
-            deadline = time.time() + HUNG
-            while time.time() < deadline and not (os.path.isdir(checkpoints) and any(name.endswith(".h5") for name in os.listdir(checkpoints))):
-                time.sleep(0.01)
-            running.send_signal(signal.SIGKILL)
-            running.wait()
-            time.sleep(0.3)   # its child ends by itself
+            self.assertTrue(self.killed_when(lambda: self.checkpoints("out/" + case)))
             done = self.study(STUDY, "--resume")
             self.assertEqual(done.returncode, 0, done.stderr)
-            with open(self.path(f"out/{case}/manifest.json"), encoding="utf-8") as file:
-                self.assertEqual(len(json.load(file)["resumed"]), 1)
+            self.assertEqual(len(self.manifest("out/" + case)["resumed"]), 1)
             self.assertEqual(without_times(self.page()), whole)
+
+    def test_a_full_disk_costs_a_case_nothing_but_time(self):
+        self.write(SHORT)
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        whole = without_times(self.page())
+        self.change_manifest("out/gidaspow", status="interrupted")
+        kept = self.checkpoints("out/gidaspow")
+        self.assertEqual(len(kept), 1)
+        # A manifest that tells of one start more is longer.
+        failed = self.study(STUDY, "--resume", largest_file=os.path.getsize(self.path("out/gidaspow/manifest.json")))
+        self.assertIn("1/2 gidaspow: failed with exit status 2: ", failed.stdout)
+        self.assertIn(": cannot be written: File too large.\n", failed.stdout)
+        self.assertEqual(self.checkpoints("out/gidaspow"), kept)
+        done = self.study(STUDY, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(" s since it was resumed, ", done.stdout)
+        self.assertEqual(without_times(self.page()), whole)
+
+    def test_a_case_none_of_whose_checkpoints_can_be_read_is_run_anew(self):
+        self.write(SHORT)
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        whole = without_times(self.page())
+        self.change_manifest("out/gidaspow", status="interrupted")
+        for name in self.checkpoints("out/gidaspow"):
+            self.write("", "out/gidaspow/checkpoints/" + name)
+        done = self.study(STUDY, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("since it was resumed", done.stdout)
+        self.assertEqual(self.manifest("out/gidaspow")["resumed"], [])
+        self.assertEqual(without_times(self.page()), whole)
+
+    def test_a_study_that_was_moved_and_renamed_is_the_same(self):
+        os.makedirs(self.path("here/plugins"))
+        case = SHORT.replace("similitude: 1\n", "similitude: 1\nplugin_paths: [plugins]\n")
+        case = case.replace("{fill: lattice}", "{fill: file, file: bed.csv}").replace(", count: 900", "")
+        grains = ["x,y,z"] + [f"{0.001 + 0.0012 * i},{0.001 + 0.0012 * j},{0.001 + 0.0012 * k}" for i in range(15) for j in range(7) for k in range(5)]
+        self.write(case, "here/case.yaml")
+        self.write("\n".join(grains), "here/bed.csv")
+        self.write(STUDY, "here/study.yaml")
+        done = self.command("study", "here/study.yaml", "-o", "here/out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        shutil.move(self.path("here"), self.path("there"))
+        self.write(case.replace("a small bed", "renamed"), "there/case.yaml")
+
+        def again():
+            return self.command("study", "there/study.yaml", "-o", "there/out", "--resume")
+        self.assertIn("1/2 gidaspow: was done before\n2/2 di_felice: was done before\n", again().stdout)
+        self.change_manifest("there/out/di_felice", status="interrupted")
+        self.assertRegex(again().stdout, r"1/2 gidaspow: was done before\n2/2 di_felice: \S+ s since it was resumed, ")
+
+        before = self.manifest("there/out/gidaspow")
+        self.write("\n".join(grains[:-1]), "there/bed.csv")
+        self.assert_refused(again(), 2, "there/out/gidaspow holds a run of another case:\n    scene.bed.file: the file is another (SHA-256 was "
+                            + before["bed_sha256"][:12] + "…, is ",
+                            "\n  Give another folder with -o, or remove that one to have the case run anew.\n")
+        self.assertEqual(self.manifest("there/out/gidaspow"), before)
+
+    def test_results_of_another_case_are_not_written_over(self):
+        self.write(SHORT)
+        self.assertEqual(self.study(STUDY).returncode, 0)
+
+        def refuse(*differences):
+            self.assert_refused(self.study(STUDY, "--resume"), 2, "out/gidaspow holds a run of another case:\n    " + "\n    ".join(differences)
+                                + "\n  Give another folder with -o, or remove that one to have the case run anew.\n")
+            self.assertEqual([len(self.checkpoints("out/" + case)) for case in ("gidaspow", "di_felice")], [1, 1])
+        self.write(SHORT.replace("density: 1.225", "density: 1.3").replace("end: 12 ms", "end: 11 ms"))
+        differences = ["scene.gas.density: was 1.225 kg/m^3, is 1.3 kg/m^3", "time.end: was 0.012 s, is 0.011 s"]
+        refuse(*differences)
+        self.change_manifest("out/gidaspow", status="interrupted")
+        refuse(*differences)
+        shutil.rmtree(self.path("out/di_felice/checkpoints"))
+        self.change_manifest("out/gidaspow", status="stopped")   # by a guard: nothing more comes of it
+        self.assert_refused(self.study(STUDY, "--resume"), 2, "out/di_felice holds a run of another case:\n    " + differences[0])
+
+    def test_a_later_end_is_gone_on_to(self):
+        self.write(SHORT)
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        shutil.rmtree(self.path("out/di_felice/checkpoints"))
+        self.write(SHORT.replace("end: 12 ms", "end: 16 ms"))
+        self.assert_refused(self.study(STUDY, "--resume"), 2, "out/di_felice holds a run of another case:\n"
+                            "    time.end: was run to 0.012", " s without a checkpoint to go on from, is 0.016 s\n")
+        shutil.rmtree(self.path("out/di_felice"))
+        done = self.study(STUDY, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"1/2 gidaspow: \S+ s since it was resumed, ")
+        whole = without_times(self.page())
+        shutil.rmtree(self.path("out"))
+        self.assertEqual(self.study(STUDY).returncode, 0)
+        self.assertEqual(without_times(self.page()), whole)
 
     def test_wall_time_is_foretold_and_held_against_what_it_took(self):
         self.assertEqual(self.study(STUDY).returncode, 0)

@@ -21,6 +21,7 @@ RunIdentity some_run() {
   RunIdentity run;
   run.program_version = "0.1.0";
   run.resolved_case = "{\n  \"title\": \"a bed\"\n}";
+  run.bed_sha256 = "def";
   run.plugins = {{"drag", "gidaspow", "1.0.0", "/somewhere/drag_gidaspow.so", "abc"}};
   run.dt = 1.0 / 3;
   run.sub_steps = 27;
@@ -340,11 +341,11 @@ class Book {
 std::string words_of(const RunIdentity& identity, const RunState& state) {
   std::ostringstream words;
   words << std::setprecision(17);
-  const auto& [program, resolved_case, plugins, dt, sub_steps, particles, solids_fraction, height, started, resumed] = identity;
-  words << program << '\n' << resolved_case << '\n' << dt << ' ' << sub_steps << ' ' << particles << ' ' << solids_fraction << ' '
-        << height << ' ' << started << '\n';
-  for (const auto& [kind, id, version, file, sha256] : plugins) words << kind << ' ' << id << ' ' << version << ' ' << file << ' ' << sha256 << '\n';
-  for (const auto& [checkpoint, simulated_s, again, command, threads] : resumed) {
+  const auto& [resolved_case, bed_sha256] = static_cast<const CaseIdentity&>(identity);
+  words << identity.program_version << '\n' << resolved_case << '\n' << bed_sha256 << '\n' << identity.dt << ' ' << identity.sub_steps << ' '
+        << identity.particles << ' ' << identity.solids_fraction << ' ' << identity.height << ' ' << identity.started << '\n';
+  for (const auto& [kind, id, version, file, sha256] : identity.plugins) words << kind << ' ' << id << ' ' << version << ' ' << file << ' ' << sha256 << '\n';
+  for (const auto& [checkpoint, simulated_s, again, command, threads] : identity.resumed) {
     words << checkpoint << ' ' << simulated_s << ' ' << again << ' ' << command << ' ' << threads << '\n';
   }
   for (const auto& [name, seconds] : state.stages) words << name << '\n';

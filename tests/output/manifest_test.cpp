@@ -30,9 +30,9 @@ Manifest a_manifest() {
   return manifest;
 }
 
-json written(const Manifest& manifest, const std::string& resolved_case = "{}") {
+json written(const Manifest& manifest, const CaseIdentity& identity = {"{}", ""}) {
   const ScratchFolder folder;
-  write_manifest(OutputDirectory(folder.path(), false), manifest, resolved_case);
+  write_manifest(OutputDirectory(folder.path(), false), manifest, identity);
   return json::parse(text_of(folder / "manifest.json"));
 }
 
@@ -52,6 +52,11 @@ TEST(ManifestFile, SaysAtTheStartThatTheRunIsRunning) {
   EXPECT_EQ(
       m["plugins"][0],
       (json{{"kind", "drag"}, {"id", "gidaspow"}, {"version", "1.0.0"}, {"file", "/lib/drag.so"}, {"sha256", "ab12"}}));
+}
+
+TEST(ManifestFile, NamesTheBedsFileByItsBytes) {
+  EXPECT_TRUE(written(a_manifest())["bed_sha256"].is_null());
+  EXPECT_EQ(written(a_manifest(), {"{}", "ab12"})["bed_sha256"], "ab12");
 }
 
 TEST(ManifestFile, SaysAtTheEndHowItEnded) {

@@ -118,6 +118,12 @@ TEST(Advice, AgainstMeasuredDataTheSlowestCaseIsTheMeasureOfSpeed) {
       "gidaspow is 2 x faster than tang; its profile error, 10 ± 2 %, is also the smallest.");
 }
 
+// As in the table beside it.
+TEST(Advice, CountsTwoDigitsOfLargeNumbersToo) {
+  EXPECT_EQ(advice({reference("exact", 1234), contender("parcel", 10, about(1.234, 0.1))}, "profile error"),
+            "parcel is 120 x faster than exact; its profile error, 120 ± 10 %, has nothing to be compared with.");
+}
+
 TEST(Advice, WithoutACaseToJudgeSaysSo) {
   EXPECT_EQ(
       advice({reference("exact", 400), contender("link", Estimate::k_unknown, gap("it was not run"))}, "profile error"),
