@@ -184,7 +184,7 @@ int check(const CheckArguments& arguments) {
   seen.effects = effect_verdicts(case_file.scene, seen.assembly, seen.steps, plugins);
   seen.cost = predict_cost(seen.assembly, seen.steps);
   if (arguments.json) {
-    std::cout << as_json(seen).dump(2) << "\n";
+    std::cout << as_json(seen).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   } else {
     print(seen, std::cout);
   }

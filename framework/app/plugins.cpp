@@ -26,7 +26,7 @@ int say(const std::string& text) {
 }
 
 int say(const nlohmann::json& page) {
-  std::cout << page.dump(2) << "\n";
+  std::cout << page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   return 0;
 }
 

@@ -197,7 +197,7 @@ int scale(const ScaleArguments& arguments) {
   predict_with_threads(arguments.threads);
   const Comparison comparison = comparison_of(arguments, {arguments.case_file, arguments.overrides, plugins});
   if (arguments.json) {
-    std::cout << as_json(comparison).dump(2) << "\n";
+    std::cout << as_json(comparison).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   } else if (arguments.markdown) {
     print_as_markdown(comparison, std::cout);
   } else {

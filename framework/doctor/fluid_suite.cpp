@@ -92,11 +92,9 @@ class Run {
     std::copy(other.velocity.data(), other.velocity.data() + velocity.rows(), velocity.data());
     std::copy(other.pressure.data(), other.pressure.data() + pressure.rows(), pressure.data());
     std::copy(other.stress_force.data(), other.stress_force.data() + stress_force.rows(), stress_force.data());
-    const similitude_fluid_functions& f = model_.functions();
-    if (f.state_size == nullptr) return;
-    std::vector<double> state(f.state_size(other.model_.instance()));
-    f.save_state(other.model_.instance(), state.data());
-    f.load_state(model_.instance(), state.data());
+    std::vector<double> state;
+    save_state_of(other.model_, state);
+    if (!state.empty()) model_.functions().load_state(model_.instance(), state.data());
   }
 
   const Grid& grid() const { return grid_; }

@@ -73,6 +73,11 @@ using EffectModel = Model<similitude_effect_functions>;
 
 /// What a solver asks for; zero throughout where it has no such hook.
 similitude_fluid_needs needs_of(const FluidModel& fluid);
+/// How many numbers a solver remembers beyond the step's fields; 0 without the hook. Throws PluginError if it does not say: what it
+/// threw was told to the host's log. [main]
+std::size_t state_size_of(const FluidModel& fluid);
+/// Replaces what `state` held by those numbers. Throws as above.
+void save_state_of(const FluidModel& fluid, std::vector<double>& state);
 
 class Catalogue {
  public:

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 
 #include "loader/catalogue.h"
 
@@ -94,6 +96,29 @@ similitude_fluid_needs needs_of(const FluidModel& fluid) {
   needs.struct_size = sizeof needs;
   if (fluid.functions().needs != nullptr) fluid.functions().needs(fluid.instance(), &needs);
   return needs;
+}
+
+namespace {
+
+[[noreturn]] void refuse_state(const FluidModel& fluid, const char* what) {
+  throw PluginError("fluid model \"" + std::string(fluid.descriptor().id) + "\": " + what,
+                    "This is for the plugin's author to mend. If the solver threw, its words stand above.");
+}
+
+}  // namespace
+
+std::size_t state_size_of(const FluidModel& fluid) {
+  if (fluid.functions().state_size == nullptr) return 0;
+  const std::uint64_t size = fluid.functions().state_size(fluid.instance());
+  if (size == std::numeric_limits<std::uint64_t>::max()) refuse_state(fluid, "it does not say how many numbers it remembers.");
+  return size;
+}
+
+void save_state_of(const FluidModel& fluid, std::vector<double>& state) {
+  state.resize(state_size_of(fluid));
+  if (state.empty()) return;
+  fluid.functions().save_state(fluid.instance(), state.data());
+  if (std::isnan(state.front())) refuse_state(fluid, "it does not say what it remembers.");
 }
 
 template ContactModel create_model(const PluginEntry&, const similitude_bed&, const std::vector<similitude_value>&,

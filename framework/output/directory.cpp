@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <system_error>
 #include <vector>
@@ -15,10 +14,6 @@ namespace similitude {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array k_files_of_a_run = {"manifest.json", "particles.pvd", "fluid.pvd",   "monitors.csv",
-                                         "profiles.csv",  "profile_blocks.csv", "probes.csv", "scalars.csv", "timing.json", "report.html", "audit.json", "front_view.bin",
-                                         "view.py"};
 
 struct FrameFolder {
   const char* name;

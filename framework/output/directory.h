@@ -1,6 +1,7 @@
 #pragma once
 /// The folder of one run.
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -27,6 +28,10 @@ class OutputDirectory {
   std::filesystem::path path_;
 };
 
+/// Every file that a run may write into its folder itself, beside the folders of frames and checkpoints.
+inline constexpr std::array k_files_of_a_run = {"manifest.json", "particles.pvd", "fluid.pvd",  "monitors.csv", "profiles.csv",
+                                                "profile_blocks.csv", "probes.csv", "scalars.csv", "timing.json", "report.html",
+                                                "audit.json", "front_view.bin", "view.py"};
 /// Where a run's checkpoints lie in its folder.
 inline constexpr const char* k_checkpoint_folder = "checkpoints";
 

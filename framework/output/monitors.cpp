@@ -204,8 +204,6 @@ Monitors observe(const Observed& simulated, const MapBack& map) {
 
 namespace {
 
-constexpr const char* k_monitors = "monitors.csv";
-
 std::vector<std::string> column_names() {
   std::vector<std::string> names;
   for (const MonitorColumn& column : k_columns) names.emplace_back(column.name);
@@ -214,10 +212,10 @@ std::vector<std::string> column_names() {
 
 }  // namespace
 
-MonitorFile::MonitorFile(const OutputDirectory& directory) : csv_(directory.file(k_monitors), column_names()) {}
+MonitorFile::MonitorFile(const OutputDirectory& directory) : csv_(directory.file(k_monitors_file), column_names()) {}
 
 MonitorFile::MonitorFile(const OutputDirectory& directory, std::uint64_t length)
-    : csv_(directory.file(k_monitors), column_names(), length) {}
+    : csv_(directory.file(k_monitors_file), column_names(), length) {}
 
 void MonitorFile::write(const Monitors& monitors) {
   std::vector<double> values;

@@ -15,6 +15,8 @@
 
 namespace similitude {
 
+inline constexpr const char* k_monitors_file = "monitors.csv";
+
 /// Of the real bed. NaN: this run has no such thing (no gas, no rotation).
 struct Monitors {
   static constexpr double k_none = std::numeric_limits<double>::quiet_NaN();

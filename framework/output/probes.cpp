@@ -5,7 +5,6 @@
 namespace similitude {
 namespace {
 
-constexpr const char* k_file = "probes.csv";
 const std::vector<std::string> k_columns{"time [s]",
                                          "probe",
                                          "x [m]",
@@ -38,11 +37,11 @@ ProbeReading read_probe(std::size_t cell, const GasFields& gas, const Column<dou
 }
 
 ProbeFile::ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back)
-    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_file), k_columns) {}
+    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_probes_file), k_columns) {}
 
 ProbeFile::ProbeFile(const OutputDirectory& directory, const std::vector<Probe>& probes, const Grid& grid, const MapBack& map_back,
                      std::uint64_t length)
-    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_file), k_columns, length) {}
+    : taps_(taps(probes, grid)), map_back_(map_back), csv_(directory.file(k_probes_file), k_columns, length) {}
 
 std::vector<ProbeFile::Tap> ProbeFile::taps(const std::vector<Probe>& probes, const Grid& grid) {
   std::vector<Tap> taps;

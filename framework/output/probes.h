@@ -12,6 +12,8 @@
 
 namespace similitude {
 
+inline constexpr const char* k_probes_file = "probes.csv";
+
 /// Of the real bed, at one place. The cell that the place lies in speaks for it; nothing is interpolated across a plate.
 struct ProbeReading {
   double pressure = 0;                     // [Pa], above rho_f g.x

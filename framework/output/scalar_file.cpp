@@ -5,14 +5,13 @@
 namespace similitude {
 namespace {
 
-constexpr const char* k_file = "scalars.csv";
 const std::vector<std::string> k_columns{"time [s]", "scalar", "carrier", "unit",       "mean",       "lowest",         "highest",
                                          "amount_unit", "gained", "in",   "out", "from_walls", "from_particles"};
 
 }  // namespace
 
-ScalarFile::ScalarFile(const OutputDirectory& directory) : csv_(directory.file(k_file), k_columns) {}
-ScalarFile::ScalarFile(const OutputDirectory& directory, std::uint64_t length) : csv_(directory.file(k_file), k_columns, length) {}
+ScalarFile::ScalarFile(const OutputDirectory& directory) : csv_(directory.file(k_scalars_file), k_columns) {}
+ScalarFile::ScalarFile(const OutputDirectory& directory, std::uint64_t length) : csv_(directory.file(k_scalars_file), k_columns, length) {}
 
 void ScalarFile::write(double time, const ScalarReading& r) {
   std::vector<std::string> fields{csv_number(time), csv_field(r.name), r.carrier, csv_field(r.unit)};

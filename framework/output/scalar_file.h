@@ -9,6 +9,8 @@
 
 namespace similitude {
 
+inline constexpr const char* k_scalars_file = "scalars.csv";
+
 /// One scalar of the gas or of the particles, of the real bed. Amounts (J, kg) since the start and counted from the values there;
 /// NaN: it has no such thing.
 struct ScalarReading {

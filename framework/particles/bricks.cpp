@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "particles/most.h"
 #include "scene/messages.h"
 
 namespace similitude {
@@ -30,7 +31,7 @@ void Bricks::lay_out(const std::array<double, 3>& size, const std::array<bool, 3
   periodic_ = periodic;
   cut_off_ = cut_off;
   cells_per_brick_ = 1;
-  std::size_t places = 1;
+  double places = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double fitting = std::floor(size[axis] / cut_off);
     if (periodic[axis] && fitting < 2) {
@@ -47,9 +48,8 @@ void Bricks::lay_out(const std::array<double, 3>& size, const std::array<bool, 3
     cells_per_brick_ *= brick_cells_[axis];
     places *= bricks_[axis];
   }
-  occupied_.resize(places);
-  place_.reserve(places);
-  first_row_.reserve(places + 1);
+  refuse_more_places(places);
+  occupied_.resize(static_cast<std::size_t>(places));
   for (std::size_t image = 0; image < 27; ++image) {
     const auto turns = [&](std::size_t stride) { return static_cast<double>(image / stride % 3) - 1; };
     shifts_[image] = {turns(1) * size[0], turns(3) * size[1], turns(9) * size[2], 0};
@@ -63,6 +63,7 @@ std::uint32_t Bricks::cell_along(std::size_t axis, double position) const {
 }
 
 void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t>& leaves) {
+  refuse_more_rows(particles.size());
   const auto rows = static_cast<std::uint32_t>(particles.size());
   key_.resize(rows);
   place_of_row_.resize(rows);
@@ -83,6 +84,8 @@ void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t
     if (!leaves[row]) occupied_[place_of_row_[row]] = 0;
   }
   place_.clear();
+  place_.reserve(most());
+  first_row_.reserve(most() + 1);
   for (std::uint32_t place = 0; place < occupied_.size(); ++place) {
     if (occupied_[place] == k_empty) continue;
     occupied_[place] = static_cast<std::uint32_t>(place_.size());
@@ -90,6 +93,7 @@ void Bricks::sort(const ParticleStore& particles, const std::vector<std::uint8_t
   }
 
   const std::size_t cells = place_.size() * cells_per_brick_;
+  refuse_more_places(static_cast<double>(cells));
   if (cell_begin_.capacity() < cells + 1) cell_begin_.reserve(cells + cells / 2 + 1);
   cell_begin_.assign(cells + 1, 0);
   for (std::uint32_t row = 0; row < rows; ++row) {

@@ -3,6 +3,7 @@
 /// range of rows, and the order of rows follows from positions and ids alone. Bricks are the unit of work: they do not
 /// depend on the number of threads, and so no sum does.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -27,16 +28,17 @@ class Bricks {
   static constexpr std::uint8_t k_no_shift = 13;   // the middle of 3 x 3 x 3 images
 
   /// Cells at least `cut_off` [m] wide over the box [0, size]. Throws InputError if a periodic direction is narrower
-  /// than two cut-offs.
+  /// than two cut-offs, or if there are more bricks than numbers for them (most.h).
   void lay_out(const std::array<double, 3>& size, const std::array<bool, 3>& periodic, double cut_off);
 
   /// The order in which rows must stand: order()[k] is the present row that becomes row k. Rows with leaves[row] != 0 are
-  /// left out. Positions must be wrapped.
+  /// left out. Positions must be wrapped. Throws InputError for more rows or cells than numbers for
+  /// them (most.h).
   void sort(const ParticleStore& particles, const std::vector<std::uint8_t>& leaves);
   const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// Bricks of the box, with or without particles.
-  std::size_t places() const { return occupied_.size(); }
+  /// Bricks that can ever hold particles, of those that were sorted: places of the box, or particles where they are fewer.
+  std::size_t most() const { return std::min(occupied_.size(), key_.size()); }
   /// Bricks that hold particles.
   std::uint32_t count() const { return static_cast<std::uint32_t>(first_row_.empty() ? 0 : first_row_.size() - 1); }
   std::uint32_t first_row(std::uint32_t brick) const { return first_row_[brick]; }
@@ -52,6 +54,7 @@ class Bricks {
   const Row& shift(std::uint8_t image) const { return shifts_[image]; }
   double cut_off() const { return cut_off_; }
   std::size_t bytes() const;
+  static constexpr std::size_t k_bytes_per_row = 3 * sizeof(std::uint32_t);   // key_, place_of_row_, order_
 
  private:
   static constexpr std::uint32_t k_empty = std::numeric_limits<std::uint32_t>::max();

@@ -31,6 +31,9 @@ class CarriedHistory {
   }
 
   static constexpr std::uint32_t k_gone = 0xffff'ffff;
+  static constexpr std::size_t bytes_per_contact(std::size_t history_rows) {
+    return history_rows == 0 ? 0 : sizeof(std::uint32_t) + history_rows * sizeof(Row);
+  }
   std::size_t bytes() const { return 4 * (first_.capacity() + partner_.capacity()) + history_.capacity() * sizeof(Row); }
 
  private:

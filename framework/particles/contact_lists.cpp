@@ -6,6 +6,7 @@
 
 #include <omp.h>
 
+#include "particles/most.h"
 #include "particles/pack.h"
 
 namespace similitude {
@@ -145,6 +146,7 @@ void ContactLists::Gathered::make_room(std::size_t more) {
 void ContactLists::make_room(std::size_t wanted) {
   if (wanted <= candidates.size()) return;
   const std::size_t room = wanted + wanted / 4;
+  refuse_more_candidates(room);
   candidates.resize(room);
   look_at.resize(room);
   history.resize(room * history_rows_);
@@ -188,14 +190,14 @@ void ContactLists::settle(std::uint32_t brick, const Gathered& from, const Carri
 
 void ContactLists::build(const ParticleStore& particles, const Bricks& where, const Surfaces& surfaces, double margin,
                          double largest_radius, const CarriedHistory& carried) {
-  bricks.reserve(where.places());
+  bricks.reserve(where.most());
   bricks.resize(where.count());
   constexpr std::size_t most_neighbours = 26;
   for (std::vector<std::uint32_t>* per_brick : {&first_incoming, &first_later, &first_earlier, &last_sender_}) {
-    per_brick->reserve(where.places() + 1);
+    per_brick->reserve(where.most() + 1);
   }
-  later.reserve(most_neighbours * where.places());
-  earlier.reserve(most_neighbours * where.places());
+  later.reserve(most_neighbours * where.most());
+  earlier.reserve(most_neighbours * where.most());
   const auto threads = static_cast<std::size_t>(omp_get_max_threads());
   if (gathered_.size() < threads) gathered_.resize(threads);
   for (Gathered& gathered : gathered_) {

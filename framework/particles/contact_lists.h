@@ -54,7 +54,7 @@ class ContactLists {
   ContactLists(std::size_t history_rows, bool any_periodic) : history_rows_(history_rows), images_(any_periodic) {}
 
   /// Lists all pairs within r_i + r_j + margin [m] of each other and all particles within margin of a surface, and
-  /// gives contacts that went on their history back.
+  /// gives contacts that went on their history back. Throws InputError for more candidates than numbers for them (most.h).
   void build(const ParticleStore& particles, const Bricks& bricks, const Surfaces& surfaces, double margin,
              double largest_radius, const CarriedHistory& carried);
 
@@ -82,6 +82,10 @@ class ContactLists {
   std::size_t history_rows() const { return history_rows_; }
   bool has_images() const { return images_; }
   std::size_t bytes() const;           // without history
+  static constexpr std::size_t bytes_per_candidate(bool periodic) {
+    return sizeof(Candidate) + sizeof(float) + (periodic ? sizeof(std::uint8_t) : 0);
+  }
+  static constexpr double k_room = 1.25;   // of candidates, their histories and shares across bricks, over what is wanted: a quarter is spare
   std::size_t history_bytes() const { return history.capacity() * sizeof(Row); }
 
  private:

@@ -238,10 +238,10 @@ void Engine::Parts::build_lists(std::size_t rows) {
 
   reference.resize(rows);
   std::copy(particles.position.begin(), particles.position.end(), reference.begin());
-  outcomes.reserve(bricks.places());
+  outcomes.reserve(bricks.most());
   outcomes.resize(bricks.count());
-  moved.reserve(bricks.places());
-  for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.places());
+  moved.reserve(bricks.most());
+  for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.most());
   moved.resize(bricks.count());
   for (std::uint32_t brick = 0; brick < bricks.count(); ++brick) outcomes[brick] = {};
   listed_rows = rows;
@@ -400,7 +400,7 @@ void Engine::Parts::advance(std::int64_t sub_steps) {
     columns.resize(threads);
     complaints.resize(threads);
     pushed.resize(threads);
-    for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.places());
+    for (std::vector<std::uint32_t>& waiting : pushed) waiting.reserve(bricks.most());
     shares.resize(threads);
   }
   report.largest_overlap = {};
@@ -566,8 +566,20 @@ std::vector<std::string> Engine::passes() const {
   return out;
 }
 
+EngineMemory engine_memory(std::uint32_t history_values, bool rotation, bool periodic) {
+  const std::size_t history_rows = ContactMemory{.count = history_values}.rows();
+  EngineMemory memory;
+  memory.lists_per_particle = sizeof(Row) + Bricks::k_bytes_per_row + sizeof(std::uint32_t) + sizeof(std::uint8_t);   // new_row, leaves
+  memory.lists_per_candidate = ContactLists::k_room * static_cast<double>(ContactLists::bytes_per_candidate(periodic));
+  memory.lists_per_crossing = ContactLists::k_room * static_cast<double>(sizeof(Incoming) + (rotation ? 2 : 1) * sizeof(Row));
+  memory.history_per_candidate = ContactLists::k_room * static_cast<double>(history_rows * sizeof(Row));
+  memory.history_per_contact = static_cast<double>(CarriedHistory::bytes_per_contact(history_rows));
+  return memory;
+}
+
 std::size_t Engine::list_bytes() const {
-  return parts_->lists.bytes() + parts_->contacts.bytes() + parts_->bricks.bytes() + parts_->reference.capacity() * sizeof(Row);
+  return parts_->lists.bytes() + parts_->contacts.bytes() + parts_->bricks.bytes() + parts_->reference.capacity() * sizeof(Row) +
+         parts_->new_row.capacity() * sizeof(std::uint32_t) + parts_->leaves.capacity() + parts_->outcomes.capacity() * sizeof(BrickOutcome);
 }
 std::size_t Engine::history_bytes() const { return parts_->lists.history_bytes() + parts_->carried.bytes(); }
 

@@ -57,6 +57,17 @@ struct EngineState {
   EngineReport report;
 };
 
+/// [bytes] that an engine takes beside the store's rows. Candidates are what may touch; spare room is in what it takes for each.
+struct EngineMemory {
+  double lists_per_particle = 0;       // positions that lists were built at, and the order of rows
+  double lists_per_candidate = 0;
+  double lists_per_crossing = 0;       // a candidate whose partner stands in another brick
+  double history_per_candidate = 0;
+  double history_per_contact = 0;      // carried over a rebuild
+};
+/// `history_values` of law and effects together.
+EngineMemory engine_memory(std::uint32_t history_values, bool rotation, bool periodic);
+
 /// A stage's share of the time, for timing.json.
 struct StageTime {
   std::string name;

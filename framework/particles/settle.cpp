@@ -17,6 +17,9 @@ namespace {
 
 constexpr double k_at_rest = 2e-4;              // [-], agitation of a resting bed
 constexpr double k_soft_overlap = 0.004;        // [-], of a diameter, at the bottom of the softened bed
+// [-], solids fraction by which the bed's layers are counted, between the loosest and the closest random packing of spheres (0.55, 0.64).
+// The softness of every settled bed follows from it, and with it their last bits: it is not k_settled_packing of a bed as described.
+constexpr double k_packing_of_layers = 0.6;
 constexpr double k_steps_per_contact = 15;      // while settling
 constexpr double k_worth_softening = 0.7;       // [-], a stiffness factor above it saves no time
 constexpr double k_stiffer_per_rung = 8;        // [-], about, on the way back to the case's stiffness
@@ -41,7 +44,7 @@ struct Scale {
     }
     mass = particles.velocity[smallest].w;
     diameter = 2 * particles.position[smallest].w;
-    const double height = volume / (0.6 * scene.size[0] * scene.size[1]);
+    const double height = volume / (k_packing_of_layers * scene.size[0] * scene.size[1]);
     layers = std::max(1.0, height / diameter);
   }
   /// Of the quickest pair of materials.

@@ -124,8 +124,13 @@ void leave_out_unusable_viscosity(Assembly& assembly) {
   if (!assembly.real.models.effects_auto || assembly.fluid_needs.takes_added_viscosity != 0) return;
   std::erase_if(assembly.effects, [&](const EffectModel& effect) {
     if (effect.functions().cells == nullptr) return false;
-    assembly.warnings.push_back(std::string("models.effects: this bed calls for ") + effect.descriptor().id + ", but " +
-                                assembly.fluid.descriptor().id + " has no viscosity that it could add to.");
+    const std::string id = effect.descriptor().id;
+    assembly.warnings.push_back("models.effects: this bed calls for " + id + ", but " + assembly.fluid.descriptor().id +
+                                " has no viscosity that it could add to.");
+    for (Models* models : {&assembly.real.models, &assembly.model.models}) {
+      std::erase_if(models->effects, [&](const ModelChoice& choice) { return choice.id == id; });
+    }
+    std::erase_if(assembly.plugins, [&](const PluginEntry& plugin) { return plugin.descriptor == &effect.descriptor(); });
     return true;
   });
 }
@@ -189,9 +194,6 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.fluid = create<similitude_fluid_functions>(catalogue, models.fluid, bed, assembly.plugins);
   for (const ModelChoice& choice : models.effects) {
     assembly.effects.push_back(create<similitude_effect_functions>(catalogue, choice, bed, assembly.plugins));
-    const similitude_effect_needs needs = needs_of(assembly.effects.back());
-    assembly.effect_reads |= needs.reads;
-    assembly.effect_adds |= needs.adds;
   }
   check_partners(assembly.real, assembly.effects);
   assembly.grid = std::make_unique<Grid>(assembly.model);
@@ -200,6 +202,11 @@ Assembly assemble(const RealScene& scene, const Catalogue& catalogue) {
   assembly.contact.functions().needs(assembly.contact.instance(), &assembly.contact_needs);
   assembly.fluid_needs = needs_of(assembly.fluid);
   leave_out_unusable_viscosity(assembly);
+  for (const EffectModel& effect : assembly.effects) {
+    const similitude_effect_needs needs = needs_of(effect);
+    assembly.effect_reads |= needs.reads;
+    assembly.effect_adds |= needs.adds;
+  }
   refuse_light_particles(assembly);
   assembly.scalars = plan_scalars(assembly.model, assembly.effects);
   refuse_scaled_scalars(assembly);

@@ -2,6 +2,9 @@
 
 #include <csignal>
 
+#include "output/monitors.h"
+#include "output/probes.h"
+#include "output/scalar_file.h"
 #include "output/whole_file.h"
 
 namespace similitude {
@@ -31,7 +34,7 @@ class SignalsHeld {
 bool Snapshots::due() const { return !last_ || Clock::now() - taken_ >= k_share_of_copies * cost_; }
 
 std::shared_ptr<RunState> Snapshots::unused() {
-  // Two copies take turns, so that the memory of each is touched once; a third only while a file is being written for long.
+  // The copies take turns, so that the memory of each is touched once.
   std::shared_ptr<RunState> next = std::move(other_);
   if (!next || next.use_count() > 1) next = std::make_shared<RunState>();
   return next;
@@ -55,8 +58,12 @@ bool Checkpoints::due() {
 /// [writer, or main]
 void Checkpoints::write_file(const RunState& state) {
   try {
-    // The table must not be shorter than the checkpoint says, whatever a power cut takes.
-    sync_file(directory_.file("monitors.csv"));
+    // No table may be shorter than the checkpoint says, whatever a power cut takes.
+    for (const auto& [table, length] : {std::pair{k_monitors_file, state.outputs.monitors_length},
+                                        std::pair{k_probes_file, state.outputs.probes_length},
+                                        std::pair{k_scalars_file, state.outputs.scalars_length}}) {
+      if (length > 0) sync_file(directory_.file(table));
+    }
     const std::filesystem::path file = directory_.subfolder(k_checkpoint_folder) / checkpoint_name(state.simulation.steps_done);
     write_checkpoint(file, run_, state);
     if (kept_.empty() || kept_.front() != file) kept_.push_front(file);

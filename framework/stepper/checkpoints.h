@@ -37,6 +37,7 @@ class Snapshots {
   /// Null before the first.
   const std::shared_ptr<RunState>& last() const { return last_; }
   double seconds() const { return seconds_; }   // [s], of wall time that all copies took
+  static constexpr std::size_t k_copies = 2;    // they take turns; a third only while a file is being written for long
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -7,16 +7,22 @@
 #include <fmt/format.h>
 
 #include "particles/contact_effects.h"
+#include "particles/contact_lists.h"
+#include "particles/engine.h"
 #include "scene/material_pairs.h"
 #include "scene/units.h"
 #include "stepper/bed.h"
+#include "stepper/checkpoints.h"
 #include "stepper/effect_price.h"
 #include "stepper/simulation.h"
 
 namespace similitude {
 namespace {
 
-constexpr double k_pairs_per_particle = 4;           // listed in a half list with its skin, settled bed (measured 3.5 ... 4)
+// Of a settled bed, measured (tests/performance/dem_bench, docs/performance.md).
+constexpr double k_candidates_per_particle = 3.75;   // pairs listed with their skin, walls included
+constexpr double k_crossings_per_particle = 0.25;    // those of them between two bricks
+constexpr double k_contacts_per_particle = 2.2;      // that touch
 
 /// "effect.magnus_lift": the effects that want something, for the reason of a field.
 template <class Wants>
@@ -42,6 +48,59 @@ std::string written(const Assembly& assembly, const ModelChoice& set, std::size_
   if (row.type == SIMILITUDE_FLAG) return parameter.real != 0 ? "true" : "false";
   if (std::isnan(parameter.real)) return "";
   return format_quantity(parameter.real, row.unit != nullptr && *row.unit != 0 ? row.unit : "1");
+}
+
+std::size_t whole(double bytes) { return static_cast<std::size_t>(std::llround(bytes)); }
+
+/// Lists, the memory of contacts, and what holds both while lists are built: as engines take it.
+void add_pair_fields(const Assembly& assembly, std::size_t particles, std::vector<FieldUse>& fields) {
+  const auto items = [&](double per_particle) { return whole(per_particle * static_cast<double>(particles)); };
+  const std::size_t candidates = items(k_candidates_per_particle);
+  const std::string contact = std::string("contact.") + assembly.contact.descriptor().id;
+  std::uint32_t values = 0;
+  std::vector<FieldUse> history;
+  const auto remember = [&](const auto& needs, const std::string& because) {
+    for (std::uint32_t slot = 0; slot < needs.history_count; ++slot, ++values) {
+      history.push_back({std::string("pair.") + needs.history_name[slot], whole(ContactLists::k_room * sizeof(double)), candidates, because});
+    }
+  };
+  remember(assembly.contact_needs, contact);
+  for (const EffectModel& effect : assembly.effects) remember(needs_of(effect), std::string("effect.") + effect.descriptor().id);
+
+  const bool periodic = std::ranges::any_of(assembly.model.periodic, [](bool repeats) { return repeats; });
+  const EngineMemory memory = engine_memory(values, assembly.rotation(), periodic);
+  fields.push_back({"particle.listed_position_order", whole(memory.lists_per_particle), particles, "neighbours"});
+  fields.push_back({"pair.list", whole(memory.lists_per_candidate), candidates, "neighbours"});
+  fields.push_back({"pair.share_across_bricks", whole(memory.lists_per_crossing), items(k_crossings_per_particle), contact});
+  const double unused = memory.history_per_candidate - ContactLists::k_room * sizeof(double) * values;
+  fields.insert(fields.end(), history.begin(), history.end());
+  if (unused > 0) fields.push_back({"pair.history_filled_up", whole(unused), candidates, "rows of four values"});
+  if (values > 0) fields.push_back({"contact.carried_history", whole(memory.history_per_contact), items(k_contacts_per_particle), "rebuilt neighbours"});
+}
+
+/// Is it made anew in every gas step, and so in no copy of the state?
+bool made_anew(const FieldUse& cells) {
+  return cells.name.ends_with("_exchange") || cells.name == "cell.vorticity" || cells.name == "cell.acceleration" ||
+         cells.name == "cell.velocity_before";
+}
+
+/// The two copies of the state that a run keeps; what a solver remembers beyond its fields is in none of these rows.
+void add_snapshots(const Assembly& assembly, std::size_t particles, std::size_t cells, std::vector<FieldUse>& fields) {
+  ParticleStore one(store_fields(assembly));
+  one.fields.added_mass = false;
+  one.add(0, 0, 0, 0, 0, 1, 1);
+  std::size_t in_contacts = 0, in_cells = 0;
+  for (const FieldUse& field : fields) {
+    if (field.name.starts_with("cell.") && !made_anew(field)) in_cells += field.bytes_per_item;
+    if (field.name == "contact.carried_history") in_contacts = field.bytes_per_item + 2 * sizeof(std::uint32_t);   // place and owner
+  }
+  const std::size_t scalars = assembly.scalars.particles.size() * sizeof(double);
+  const char* because = "to go back to, and for checkpoints";
+  fields.push_back({"particle.snapshots", Snapshots::k_copies * (one.bytes_per_particle() + scalars + sizeof(Row)), particles, because});
+  if (in_contacts > 0) {
+    fields.push_back({"contact.snapshots", Snapshots::k_copies * in_contacts, whole(k_contacts_per_particle * static_cast<double>(particles)), because});
+  }
+  fields.push_back({"cell.snapshots", Snapshots::k_copies * in_cells, cells, because});
 }
 
 /// Fields of what effects carry, as allocated in every run that carries it.
@@ -86,7 +145,6 @@ std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeStep
 std::vector<FieldUse> field_uses(const Assembly& assembly) {
   const auto particles = static_cast<std::size_t>(expected_particles(assembly.model));
   const std::size_t cells = assembly.grid->cell_count();
-  const auto pairs = static_cast<std::size_t>(k_pairs_per_particle * static_cast<double>(particles));
   const std::string contact = std::string("contact.") + assembly.contact.descriptor().id;
   const std::string fluid = std::string("fluid.") + assembly.fluid.descriptor().id;
   std::vector<FieldUse> fields{
@@ -97,22 +155,11 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
       {"particle.gas_velocity_exchange", sizeof(Row), particles, std::string("drag.") + assembly.drag.descriptor().id},
       {"particle.stress_force", sizeof(Row), particles, fluid},
       {"particle.drag_impulse", sizeof(Row), particles, "exchange of momentum with the gas"},
-      {"pair.list", sizeof(std::uint32_t), pairs, "neighbours"},
   };
   if (assembly.rotation()) {
     const std::string turns = assembly.contact_needs.rotation != 0 ? contact + " needs rotation" : reader(assembly, SIMILITUDE_READS_ANGULAR_VELOCITY);
     fields.push_back({"particle.angular_velocity_inertia", sizeof(Row), particles, turns});
     fields.push_back({"particle.torque", sizeof(Row), particles, turns});
-  }
-  for (std::uint32_t slot = 0; slot < assembly.contact_needs.history_count; ++slot) {
-    fields.push_back({std::string("pair.") + assembly.contact_needs.history_name[slot], sizeof(double), pairs, contact});
-  }
-  for (const EffectModel& effect : assembly.effects) {
-    const std::string name = std::string("effect.") + effect.descriptor().id;
-    const similitude_effect_needs needs = needs_of(effect);
-    for (std::uint32_t slot = 0; slot < needs.history_count; ++slot) {
-      fields.push_back({std::string("pair.") + needs.history_name[slot], sizeof(double), pairs, name});
-    }
   }
   if (assembly.added_mass()) fields.push_back({"particle.added_mass", sizeof(double), particles, adder(assembly, SIMILITUDE_ADDS_ADDED_MASS)});
   if ((assembly.effect_reads & SIMILITUDE_READS_GAS_VORTICITY) != 0) {
@@ -132,7 +179,17 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
     fields.push_back({"cell.remainder", 3 * sizeof(double), cells, "exchange of momentum with the gas"});
   }
   add_scalar_fields(assembly, particles, fields);
+  add_pair_fields(assembly, particles, fields);
+  add_snapshots(assembly, particles, cells, fields);
   return fields;
+}
+
+double bytes_per_particle(const std::vector<FieldUse>& fields, const Assembly& assembly) {
+  double bytes = 0;
+  for (const FieldUse& field : fields) {
+    if (!field.name.starts_with("cell.")) bytes += static_cast<double>(field.bytes_per_item) * static_cast<double>(field.items);
+  }
+  return bytes / static_cast<double>(std::max<std::int64_t>(expected_particles(assembly.model), 1));
 }
 
 std::vector<PairUse> pair_uses(const Assembly& assembly) {

@@ -29,6 +29,8 @@ struct PairUse {
 std::int64_t expected_particles(const ModelScene& scene);
 std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps);
 std::vector<FieldUse> field_uses(const Assembly& assembly);
+/// [bytes], of all fields but the cells'.
+double bytes_per_particle(const std::vector<FieldUse>& fields, const Assembly& assembly);
 /// Empty if one set of parameters holds for all contacts.
 std::vector<PairUse> pair_uses(const Assembly& assembly);
 /// Every effect in the catalogue, asked for its relevance in the real bed, with what it adds or would add to the run's wall time

@@ -141,7 +141,7 @@ void calibrate(const Assembly& assembly, const TimeSteps& steps, double gas_step
 }  // namespace
 
 void predict_with_threads(int threads) {
-  if (threads > 0) omp_set_num_threads(threads);
+  omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
 }
 
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps) {

@@ -30,7 +30,7 @@ struct PredictedCost {
 inline constexpr double k_calibration_s = 1.5;
 PredictedCost predict_cost(const Assembly& assembly, const TimeSteps& steps);
 
-/// For all predictions that follow; 0: as OpenMP is set by the environment.
+/// For all predictions that follow; 0: all cores, as a run takes them.
 void predict_with_threads(int threads);
 
 }  // namespace similitude

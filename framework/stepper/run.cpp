@@ -22,6 +22,7 @@
 #include "stepper/checkpoints.h"
 #include "stepper/comparison.h"
 #include "stepper/effects.h"
+#include "stepper/inspection.h"
 #include "stepper/occurred.h"
 #include "stepper/resume.h"
 #include "stepper/run_outputs.h"
@@ -98,7 +99,8 @@ void print_start(std::ostream& out, const Assembly& assembly, const TimeSteps& s
   }
   out << "  pipeline\n";
   for (const std::string& pass : simulation.pipeline()) out << "    " << pass << "\n";
-  out << fmt::format("  memory      {} bytes per particle, before contact lists\n\n", simulation.particles().bytes_per_particle());
+  out << fmt::format("  memory      {} bytes per particle, about {:.0f} with contacts and copies of the state\n\n",
+                     simulation.particles().bytes_per_particle(), bytes_per_particle(field_uses(assembly), assembly));
 }
 
 /// Stage times of an earlier start and of this one, together.

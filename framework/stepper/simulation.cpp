@@ -165,12 +165,7 @@ void Simulation::save(SimulationState& state) const {
   state.gas = gas_;
   coupling_->save(state.coupling);
   state.gas_report = gas_report_;
-  const auto& functions = assembly_.fluid.functions();
-  state.fluid.clear();
-  if (functions.state_size != nullptr) {
-    state.fluid.resize(functions.state_size(assembly_.fluid.instance()));
-    functions.save_state(assembly_.fluid.instance(), state.fluid.data());
-  }
+  save_state_of(assembly_.fluid, state.fluid);
   state.accounts = accounts_.state();
   state.scalar_totals = scalars_ ? scalars_->totals() : std::vector<ScalarTotals>();
   state.scalars_from_walls = contact_flows_ ? contact_flows_->from_walls() : std::vector<double>();
@@ -178,8 +173,7 @@ void Simulation::save(SimulationState& state) const {
 }
 
 void Simulation::restore(const SimulationState& state) {
-  const auto& functions = assembly_.fluid.functions();
-  const std::size_t size = functions.state_size != nullptr ? functions.state_size(assembly_.fluid.instance()) : 0;
+  const std::size_t size = state_size_of(assembly_.fluid);
   if (state.fluid.size() != size) throw std::invalid_argument("the gas solver remembers another number of values");
   if (state.gas.pressure.size() != assembly_.grid->cell_count()) throw std::invalid_argument("the gas has another number of cells");
   if (state.particles.fields.rotation != particles_.fields.rotation || state.particles.fields.coupling != particles_.fields.coupling) {
@@ -200,7 +194,7 @@ void Simulation::restore(const SimulationState& state) {
   coupling_->restore(state.coupling);
   gas_report_ = state.gas_report;
   gas_report_.struct_size = sizeof(gas_report_);
-  if (size > 0) functions.load_state(assembly_.fluid.instance(), state.fluid.data());
+  if (size > 0) assembly_.fluid.functions().load_state(assembly_.fluid.instance(), state.fluid.data());
   accounts_ = Accounts(state.accounts);
   guards_.restore_warnings_given(state.warnings_given);
 }

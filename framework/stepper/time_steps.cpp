@@ -59,6 +59,7 @@ std::vector<Impact> impacts_of(const Assembly& assembly) {
   const ModelScene& scene = assembly.model;
   std::vector<Sphere> classes;
   for (const auto& particles : scene.particles) {
+    // sphere_mass() but for the last bit: this order of the factors is in every dt, and so in every state that was ever hashed.
     const double mass = particles.density * std::numbers::pi / 6 * particles.diameter * particles.diameter * particles.diameter;
     const FileRows rows = particles.rows.value_or(FileRows{});
     classes.push_back({mass * rows.least_mass, particles.diameter / 2 * rows.diameter_of_lightest});

@@ -1,5 +1,5 @@
 # cmake -DFROM=… -DTO=… -P grown.cmake: the SDK's headers as a next minor version may have them. Each kind of structure has
-# grown at its end: one that the host fills, tables with an optional hook, descriptor, entry and tag.
+# grown at its end: those that either side fills, tables with an optional hook, descriptor, entry and tag.
 file(COPY ${FROM}/similitude DESTINATION ${TO})
 
 function(change file old new)
@@ -25,6 +25,17 @@ append(ratios "double heat_capacity;")
 append(gas_step "const double* humidity;")
 append(gas_report "double heat;")
 append(particle_block "const double* charge;")
+append(contact_effect_block "const double* charge_i;")
+append(cell_block "const double* humidity;")
+append(scalar_block "const double* humidity;")
+append(grid "double tilt;")
+append(contact_needs "int32_t charge;")
+append(drag_needs "int32_t humidity;")
+append(fluid_needs "int32_t humidity;")
+append(effect_needs "int32_t charge;")
+append(occurred "similitude_range humidity;")
+append(evidence "const double* charge;")
+append(relevance "double share;")
 append(drag_functions "double (*heat)(const void* model);")
 append(contact_functions "double (*heat)(const void* model);")
 append(scaling_functions "double (*heat)(const void* model);")

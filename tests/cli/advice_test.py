@@ -249,6 +249,10 @@ class Known(CommandTest):
         self.assertEqual(page["bed"]["classes"][0]["count"], 300)
         self.assertAlmostEqual(page["bed"]["weight_Pa"], 300 * (1040 - 1.225) * math.pi / 6 * 1e-9 * 9.81 / 2e-4)
 
+    def test_a_prediction_is_of_the_threads_that_a_run_would_take(self):
+        done = self.command("check", self.write(SMALL), "--json", OMP_NUM_THREADS="1")
+        self.assertEqual(json.loads(done.stdout)["predicted"]["threads"], len(os.sched_getaffinity(0)))
+
     def test_scale_says_what_its_symbols_mean(self):
         text = self.command("scale", self.write(SMALL), "--law", "link:n=2", "--threads", "1").stdout
         self.assertIn("\nu0 = 0.75 m/s, mean superficial velocity; u_mf = ", text)

@@ -142,6 +142,18 @@ class BedFromAFile(CommandTest):
         super().setUp()
         self.write("x,y,z,vz,diameter\n0.01,0.01,0.001,-0.1,0.00011\n", "ball.csv")
 
+    # The bed's path is part of the resolved case, which check, manifest, checkpoints and report hold as JSON.
+    def test_may_lie_in_a_folder_named_in_latin_1(self):
+        folder = os.fsencode(self.path("caf")) + b"\xe9"
+        os.mkdir(folder)
+        shutil.copy(os.fsencode(self.path("ball.csv")), folder)
+        case = os.fsdecode(folder + b"/case.yaml")
+        shutil.copy(self.write(BALL.replace("checkpoint: none", "checkpoint: every 1 h")), case)
+        for arguments in (("check", case, "--json"), ("scale", case, "--json"), ("run", case, "-o", self.path("out"), "--until", "1 ms"),
+                          ("run", case, "-o", self.path("out"), "--until", "2 ms", "--resume")):
+            done = self.command(*arguments)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_steps_follow_its_smallest_row(self):
         done = self.run_case(BALL)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -313,6 +325,17 @@ class Plugins(CommandTest):
             "scaling": ("bierwisch", "coarse_grain", "custom", "exact", "glicksman", "glicksman_full", "link", "parcel",
                         "similarity", "terminal_velocity")}
         self.assertLessEqual({(kind, id) for kind, ids in shipped.items() for id in ids}, known)
+
+    # A folder's name is bytes; JSON is UTF-8. What is not stands as the replacement character.
+    def test_list_as_json_stands_a_folder_named_in_latin_1(self):
+        plugins = os.path.join(os.path.dirname(os.path.dirname(SIMILITUDE)), "lib", "similitude", "plugins")
+        folder = os.fsencode(self.path("caf")) + b"\xe9"
+        os.mkdir(folder)
+        shutil.copy(os.fsencode(os.path.join(plugins, "drag_gidaspow.so")), folder)
+        done = self.command("plugins", "list", "--json", SIMILITUDE_PLUGIN_PATH=os.fsdecode(folder))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        files = [plugin["file"] for plugin in json.loads(done.stdout)["plugins"]]
+        self.assertIn(self.path("caf\ufffd/drag_gidaspow.so"), files)
 
     def test_info_gives_parameters_with_units(self):
         done = self.command("plugins", "info", "linear_spring")

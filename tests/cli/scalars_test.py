@@ -1,6 +1,7 @@
 """Heat and an oxygen carrier in a whole run: budgets, files, restart, and what a case must not ask for."""
 import csv
 import glob
+import os
 import re
 import unittest
 
@@ -60,6 +61,20 @@ class Scalars(CommandTest):
         self.assertEqual(self.resume(), whole)
         with open(self.path("out/scalars.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), written)
+
+    # Whatever a run can write, the next one in its place finds and takes away.
+    def test_force_leaves_no_file_of_the_earlier_run(self):
+        self.run_well(HOT.replace("output: {", "output: {probes: {tap: {at: [10 mm, 5 mm, 20 mm]}}, "))
+        everything = self.files("out")
+        self.assertTrue({"scalars.csv", "probes.csv", "profiles.csv"} <= everything, everything)
+        bare = re.sub("output: .*", "output: {vtk: none, monitors: every 1 ms, checkpoint: none}", SMALL)
+        self.run_well(bare, "--force")
+        self.assertEqual(self.command("run", self.path("case.yaml"), "-o", self.path("fresh")).returncode, 0)
+        self.assertEqual(self.files("out"), self.files("fresh"))
+
+    def files(self, folder):
+        return {os.path.relpath(os.path.join(place, name), self.path(folder))
+                for place, _, names in os.walk(self.path(folder)) for name in names}
 
     def resume(self):
         done = self.command("run", self.path("case.yaml"), "-o", self.path("out"), "--resume")

@@ -1,6 +1,10 @@
 /// Which effects a scene calls for, where one class of particles or one number of the scene decides.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
 
 #include "effect_case.h"
 #include "stepper/effect_price.h"
@@ -11,7 +15,8 @@ namespace similitude::test {
 namespace {
 
 /// A scene at rest, with these classes of particles and these keys of the gas.
-RealScene scene_of(const std::string& classes, const std::string& gas = "", const std::string& fluid = "prescribed") {
+RealScene scene_of(const std::string& classes, const std::string& gas = "", const std::string& fluid = "prescribed",
+                   const std::string& patches = "{}") {
   return case_of(fmt::format(R"(
 similitude: 1
 title: classes
@@ -20,11 +25,12 @@ scene:
   gas:       {{density: 1.2 kg/m^3, viscosity: 1.8e-5 Pa s{}}}
   particles: {{{}}}
   bed:       {{fill: lattice}}
+  patches:   {}
 models: {{drag: schiller_naumann, fluid: {}, scaling: exact, effects: auto,
          contact: {{id: linear_spring, stiffness: 1000 N/m, restitution: 0.5, friction: 0.3}}}}
 time: {{end: 1 s, dt: auto}}
 )",
-                             gas, classes, fluid)).scene;
+                             gas, classes, patches, fluid)).scene;
 }
 
 EffectVerdict verdict_on(const std::string& effect, const RealScene& scene) {
@@ -144,16 +150,75 @@ TEST(SecondThoughts, AdviceOnAutoNamesTheWholeList) {
   EXPECT_TRUE(listed[1].ends_with("Add lift to models.effects."));
 }
 
-// Whatever an effect does, in contacts, to particles, in cells or to what the gas carries, takes longer than a nanosecond per particle
-// and gas step.
+// A jet of Re = 1.3e4 calls for turbulence, but flow through a packing has no viscosity to add it to.
+TEST(Verdicts, AutoLeavesOutAllOfWhatTheSolverCannotUse) {
+  const Assembly assembly =
+      assemble(scene_of(k_coarse, "", "porous", "{jet: {face: bottom, x: [5 mm, 15 mm], velocity: 20 m/s}, top: {face: top, pressure: 0 Pa}}"),
+               built_plugins());
+  constexpr const char* k_left_out = "subgrid_turbulence";
+  EXPECT_THAT(assembly.warnings, testing::Contains("models.effects: this bed calls for subgrid_turbulence, but porous has no viscosity that it "
+                                                   "could add to."));
+  for (const EffectModel& effect : assembly.effects) EXPECT_STRNE(effect.descriptor().id, k_left_out);
+  for (const Models* models : {&assembly.real.models, &assembly.model.models}) {
+    for (const ModelChoice& effect : models->effects) EXPECT_NE(effect.id, k_left_out);
+  }
+  for (const PluginEntry& plugin : assembly.plugins) EXPECT_STRNE(plugin.descriptor->id, k_left_out);
+}
+
+/// How often the passes of a plugin's effect were called.
+struct Calls {
+  std::atomic<int> particles, contacts, cells, exchange, take;
+};
+Calls calls;
+similitude_effect_functions counted;   // whose passes are called on
+
+/// The plugins of the build with one effect whose passes are counted on the way.
+class Counted {
+ public:
+  explicit Counted(const std::string& effect) {
+    calls.particles = calls.contacts = calls.cells = calls.exchange = calls.take = 0;
+    std::vector<PluginEntry> plugins = built_plugins().plugins();
+    for (PluginEntry& plugin : plugins) {
+      if (plugin.descriptor->kind != std::string("effect") || plugin.descriptor->id != effect) continue;
+      counted = as_known_here(static_cast<const similitude_effect_functions*>(plugin.descriptor->functions));
+      put_between();
+      descriptor_ = *plugin.descriptor;
+      descriptor_.functions = &between_;
+      plugin.descriptor = &descriptor_;
+    }
+    plugins_ = std::make_unique<Catalogue>(std::move(plugins));
+  }
+  const Catalogue& plugins() const { return *plugins_; }
+
+ private:
+  void put_between() {
+    between_ = counted;
+    if (counted.particles) between_.particles = [](const void* m, const similitude_particle_block* b, similitude_status* s) { ++calls.particles, counted.particles(m, b, s); };
+    if (counted.contacts) between_.contacts = [](const void* m, const similitude_contact_effect_block* b, similitude_status* s) { ++calls.contacts, counted.contacts(m, b, s); };
+    if (counted.cells) between_.cells = [](const void* m, const similitude_cell_block* b, similitude_status* s) { ++calls.cells, counted.cells(m, b, s); };
+    if (counted.exchange) between_.exchange = [](const void* m, const similitude_scalar_block* b, similitude_status* s) { ++calls.exchange, counted.exchange(m, b, s); };
+    if (counted.take) between_.take = [](const void* m, const similitude_scalar_block* b, similitude_status* s) { ++calls.take, counted.take(m, b, s); };
+  }
+
+  similitude_effect_functions between_{};
+  similitude_descriptor descriptor_{};
+  std::unique_ptr<Catalogue> plugins_;
+};
+
+// How long they take is for tests/performance: here the clock may stand still or jump.
 TEST(EffectPrice, CountsEveryPass) {
   const RealScene scene = scene_of("ball: {diameter: 1 mm, density: 2500 kg/m^3, count: 1000, temperature: 400 K, heat_capacity: 800 J/(kg K), "
                                    "conductivity: 1 W/(m K), oxygen_capacity: 0.08, conversion: 0}",
                                    ", temperature: 300 K, fuel: 0.3", "vans");
   const TimeSteps steps = choose_time_steps(assemble(scene, built_plugins()));
-  const double least = 1e-9 * 1000 * static_cast<double>(steps.gas_steps_until(1));
-  for (const char* effect : {"cohesion", "heat", "magnus_lift", "oxygen_carrier", "rolling_friction", "saffman_lift", "subgrid_turbulence", "virtual_mass"}) {
-    EXPECT_GT(effect_price(scene, steps, built_plugins(), effect), least) << effect;
+  for (const std::string effect : {"cohesion", "heat", "magnus_lift", "oxygen_carrier", "rolling_friction", "saffman_lift", "subgrid_turbulence", "virtual_mass"}) {
+    const Counted through(effect);
+    EXPECT_GE(effect_price(scene, steps, through.plugins(), effect), 0) << effect;
+    EXPECT_EQ(calls.particles > 0, counted.particles != nullptr) << effect;
+    EXPECT_EQ(calls.contacts > 0, counted.contacts != nullptr) << effect;
+    EXPECT_EQ(calls.cells > 0, counted.cells != nullptr) << effect;
+    EXPECT_EQ(calls.exchange > 0, counted.exchange != nullptr) << effect;
+    EXPECT_EQ(calls.take > 0, counted.take != nullptr) << effect;
   }
 }
 

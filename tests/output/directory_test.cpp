@@ -46,20 +46,28 @@ TEST(OutputDirectory, TakesAFolderThatHoldsOnlyOtherFiles) {
   EXPECT_NO_THROW(OutputDirectory(folder.path(), false));
 }
 
+TEST(OutputDirectory, AnyFileOfARunIsAnEarlierRun) {
+  for (const char* name : k_files_of_a_run) {
+    const ScratchFolder folder;
+    write_whole_file(folder / name, "old");
+    EXPECT_TRUE(holds_a_run(folder.path())) << name;
+  }
+}
+
 TEST(OutputDirectory, WithForceRemovesTheEarlierRunAndNothingElse) {
   const ScratchFolder folder;
-  for (const char* name : {"manifest.json", "particles.pvd", "fluid.pvd", "monitors.csv", "profiles.csv", "timing.json",
-                           "report.html", "view.py", "fluid.pvd.part", "notes.txt"})
-    write_whole_file(folder / name, "old");
-  std::filesystem::create_directories(folder / "particles");
-  std::filesystem::create_directories(folder / "fluid");
+  for (const char* name : k_files_of_a_run) write_whole_file(folder / name, "old");
+  for (const char* name : {"fluid.pvd.part", "notes.txt"}) write_whole_file(folder / name, "old");
+  for (const char* inner : {"particles", "fluid", "checkpoints"}) std::filesystem::create_directories(folder / inner);
   for (const char* name : {"particles/particles_000000.vtp", "particles/particles_000099.vtp",
-                           "particles/particles_000100.vtp.part", "particles/mine.vtp", "fluid/fluid_000000.vti"})
+                           "particles/particles_000100.vtp.part", "particles/mine.vtp", "fluid/fluid_000000.vti",
+                           "checkpoints/checkpoint_000000007.h5", "checkpoints/checkpoint_000000006.h5.damaged"})
     write_whole_file(folder / name, "old");
   OutputDirectory(folder.path(), true);
-  EXPECT_THAT(names_in(folder.path()), UnorderedElementsAre("notes.txt", "particles", "fluid"));
+  EXPECT_THAT(names_in(folder.path()), UnorderedElementsAre("notes.txt", "particles", "fluid", "checkpoints"));
   EXPECT_THAT(names_in(folder / "particles"), UnorderedElementsAre("mine.vtp"));
   EXPECT_TRUE(std::filesystem::is_empty(folder / "fluid"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "checkpoints"));
 }
 
 TEST(OutputDirectory, RefusesAFileInItsPlace) {

@@ -28,6 +28,18 @@ TEST(WholeBed, ReportsWhatItDid) {
   EXPECT_DOUBLE_EQ(engine.report().largest_speed, fastest);
 }
 
+// A cubic metre has half a million bricks of these cells, at four bytes each for who is where. Lists themselves belong to bricks
+// with particles: a dozen here, of some kilobytes for their cells.
+TEST(WholeBed, TakesMemoryForItsParticlesAndNotForEmptySpace) {
+  const ModelScene scene = box(1, 1, 1);
+  ParticleStore store = spinning_store();
+  fill_lattice(store, scene, 100, 0.5 * k_diameter, 1.1e-3, 0.02e-3);
+  const ContactModel law = make_law({.damping_ratio = 0.1, .friction = 0.3, .rotation = true});
+  Engine engine(store, scene, law, options(2.5e-6, 9.81));
+  engine.advance(1);
+  EXPECT_LT(engine.list_bytes(), 4'000'000u);
+}
+
 TEST(WholeBed, NamesItsStagesAndTheirTimes) {
   Bed bed;
   Engine engine(bed.store, bed.scene, bed.law, options(2.5e-6, 9.81));

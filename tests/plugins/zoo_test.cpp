@@ -209,6 +209,57 @@ TEST(Zoo, AContactLawThatWillNotSayWhatItNeedsIsNotCreated) {
                 cage.path("drag_throws_in_setup.so") + ", version 1.0.0)");
 }
 
+template <class Functions>
+std::string refusal_of(const Cage& cage, const char* kind, const char* id) {
+  const Catalogue catalogue = cage.catalogue();
+  return zoo::error_of([&] { create_model<Functions>(*catalogue.find(kind, id), similitude_bed{}, {}); });
+}
+
+TEST(Zoo, AnEffectThatWillNotSayWhatItNeedsIsNotCreated) {
+  Cage cage;
+  cage.add("throws_when_asked");
+  for (const auto& [id, words] : {std::pair{"will_not_read", "I do not read."}, std::pair{"will_not_add", "I do not add."},
+                                  std::pair{"will_not_remember", "I forgot whether I do."}, std::pair{"has_no_partners", "I dance alone."},
+                                  std::pair{"has_no_conflicts", "I quarrel with nobody."}, std::pair{"uses_nothing", "I am of no use."}}) {
+    EXPECT_EQ(refusal_of<similitude_effect_functions>(cage, "effect", id),
+              std::string("effect model \"") + id + "\" cannot be created: " + words + "\n  (from " + cage.path("drag_throws_when_asked.so") +
+                  ", version 1.0.0)");
+  }
+}
+
+TEST(Zoo, AGasSolverThatWillNotSayWhatItNeedsIsNotCreated) {
+  Cage cage;
+  cage.add("throws_when_asked");
+  EXPECT_EQ(refusal_of<similitude_fluid_functions>(cage, "fluid", "needs_nothing"),
+            "fluid model \"needs_nothing\" cannot be created: I am in want of nothing.\n  (from " + cage.path("drag_throws_when_asked.so") +
+                ", version 1.0.0)");
+}
+
+TEST(Zoo, WhatAGasSolverThrowsOverItsStateIsRefusedAfterItsOwnWords) {
+  Cage cage;
+  const Catalogue catalogue = cage.add("throws_when_asked").catalogue();
+  const auto made = [&](const char* id) { return create_model<similitude_fluid_functions>(*catalogue.find("fluid", id), similitude_bed{}, {}); };
+  const std::string fix = "\n  This is for the plugin's author to mend. If the solver threw, its words stand above.";
+  std::vector<double> state;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(zoo::error_of([&] { save_state_of(made("cannot_count"), state); }),
+            "fluid model \"cannot_count\": it does not say how many numbers it remembers." + fix);
+  const FluidModel forgetful = made("forgetful");
+  EXPECT_EQ(zoo::error_of([&] { save_state_of(forgetful, state); }), "fluid model \"forgetful\": it does not say what it remembers." + fix);
+  forgetful.functions().load_state(forgetful.instance(), state.data());
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "warning: state_size: one, two, many.\nwarning: save_state: it has slipped my mind.\nwarning: load_state: that was somebody "
+            "else.\n");
+  similitude_gas_step step{};
+  step.struct_size = sizeof step;
+  similitude_gas_report report{};
+  report.struct_size = sizeof report;
+  similitude_status status{};
+  forgetful.functions().advance(forgetful.instance(), &step, &report, &status);
+  EXPECT_EQ(status.code, 1);
+  EXPECT_STREQ(status.text, "load_state() failed, so that the gas would not go on as it was; what it threw stands above.");
+}
+
 TEST(Zoo, TwoFilesWithTheSameModelAreBothNamed) {
   Cage cage;
   cage.add("sound").add("twin");

@@ -2,8 +2,12 @@
  * The boundary between Similitude and its plugins: plain C structures, nothing else.
  *
  * Frozen as 1.0: a minor version appends and changes nothing else (docs/plugin-authors/promise.md).
- * Every structure starts with its own size and grows only at the end; structures that stand in arrays never grow. A null function pointer is a hook the
- * plugin does not have. No exception, standard-library type or Eigen type crosses. Strings are UTF-8, zero-ended,
+ * A structure that may grow does so at its end and has its own size in struct_size, which stands first (in the tag: behind the magic); those
+ * without, and those that stand in arrays, never grow: status, parameter, value, patch, quantity, gas_scalar_law, range.
+ * Whoever makes a structure sets struct_size to the size that he knows: the plugin that of its tables, the host that of everything else,
+ * also of what a plugin fills (needs, ratios, relevance, gas_report); a plugin writes no byte beyond it and leaves it as it is. What a
+ * plugin fills arrives zeroed, but ratios as the identity, a verdict as -1, and arrays of rows with what is said at them.
+ * A null function pointer is a hook the plugin does not have. No exception, standard-library type or Eigen type crosses. Strings are UTF-8, zero-ended,
  * static, and owned by whoever wrote them. Quantities are SI. Plugins are loaded once and never unloaded.
  *
  * Phases: [setup] once, main thread, before the first step. [main] main thread, between sub-steps.
@@ -135,7 +139,7 @@ typedef struct similitude_descriptor {
    * Returns null and fills `status` on refusal; never throws. [setup] */
   void* (*create)(const similitude_host*, const similitude_bed*, const similitude_value* values, uint32_t sets,
                   similitude_status* status);
-  void (*destroy)(void* model);
+  void (*destroy)(void* model);   /* once, when nothing of the model runs any more; never throws. [setup][main] */
 } similitude_descriptor;
 
 typedef struct similitude_entry {
@@ -332,7 +336,8 @@ typedef struct similitude_fluid_functions {
   void (*advance)(void* model, const similitude_gas_step* step, similitude_gas_report* report, similitude_status* status);   /* [main] */
   /* [s]: hard stability limits of the explicit parts other than CFL, for the bed given at creation; null: none. [setup] */
   double (*largest_stable_step)(const void* model, const similitude_grid* grid);
-  /* State beyond the fields of the step, for checkpoints; null: none. [main] */
+  /* State beyond the fields of the step, for checkpoints; null: none. state_size is the same number from initialise on: a new model of
+   * the same case loads what another saved. UINT64_MAX, or NaN as the first number saved: it could not be told, and the run ends. [main] */
   uint64_t (*state_size)(const void* model);
   void (*save_state)(const void* model, double* out);
   void (*load_state)(void* model, const double* in);

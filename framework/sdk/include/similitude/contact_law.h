@@ -46,24 +46,13 @@ struct ContactTable {
   /// What `needs` asks the laws is asked once here, where a refusal still has words.
   static void* create(const similitude_host* host, const similitude_bed* bed, const similitude_value* values,
                       std::uint32_t sets, similitude_status* status) noexcept {
-    void* model = create_sets<Law>(host, bed, values, sets, status);
-    if (!model) return nullptr;
-    std::int32_t row = -1;
-    similitude_status asked{};
-    guarded(&asked, row, [&] {
-      for (const Law& law : sets_of<Law>(model)) {
-        ++row;
-        rotates(law);
-        remembers(law);
-      }
+    return create_and_ask<Law>(host, bed, values, sets, status, [](const Law& law) {
+      rotates(law);
+      remembers(law);
     });
-    if (asked.code == 0) return model;
-    if (status) *status = asked;
-    destroy_sets<Law>(model);
-    return nullptr;
   }
 
-  static void needs(const void* model, similitude_contact_needs* out) {
+  static void needs(const void* model, similitude_contact_needs* out) noexcept {
     similitude_contact_needs n{};
     n.struct_size = out->struct_size;
     n.rotation = std::ranges::any_of(sets_of<Law>(model), [](const Law& law) { return rotates(law); }) ? 1 : 0;

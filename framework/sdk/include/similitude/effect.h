@@ -18,6 +18,8 @@
 ///   double reach(double diameter) const;              [m], contacts begin at this gap; default 0
 ///   double largest_stable_step(double effective_mass, double effective_radius, double speed) const;   [s], of the contact pass
 ///
+/// reads, adds, remembers, partners and conflicts say the same whenever they are asked; the first time an exception refuses the effect.
+///
 /// and, as all models, `parameters` and `prepare` (plugin.h). Forces are on one physical particle; the framework gives
 /// the gas, or the contact's partner, the opposite. Scalars (temperature, species) are in scalar_effect.h.
 
@@ -157,10 +159,17 @@ struct EffectTable {
     std::memcpy(static_cast<void*>(out), &all, std::min<std::size_t>(out->struct_size, sizeof all));
   }
 
-  static void needs(const void* model, similitude_effect_needs* out) noexcept {
-    const Effect& effect = model_of<Effect>(model);
+  /// What `needs` and `uses` ask the effect is asked once here.
+  static void* create(const similitude_host* host, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
+                      similitude_status* status) noexcept {
+    return create_and_ask<Effect>(host, bed, values, sets, status, [](const Effect& effect) {
+      needs_of(effect);
+      if constexpr (has_quantities) ScalarHooks<Effect>::ask_what_it_uses(effect);
+    });
+  }
+
+  static similitude_effect_needs needs_of(const Effect& effect) {
     similitude_effect_needs n{};
-    n.struct_size = out->struct_size;
     n.reads = reads_of(effect);
     n.adds = adds_of(effect);
     if constexpr (has_flow && !contacts_with_memory && !contacts_without_memory) n.adds |= SIMILITUDE_ADDS_FLOW_ALONE;
@@ -176,6 +185,12 @@ struct EffectTable {
     }
     if constexpr (requires { effect.partners(); }) n.partners = effect.partners();
     if constexpr (requires { effect.conflicts(); }) n.conflicts = effect.conflicts();
+    return n;
+  }
+
+  static void needs(const void* model, similitude_effect_needs* out) noexcept {
+    similitude_effect_needs n = needs_of(model_of<Effect>(model));
+    n.struct_size = out->struct_size;
     std::memcpy(static_cast<void*>(out), &n, std::min<std::size_t>(out->struct_size, sizeof n));
   }
 
@@ -324,7 +339,9 @@ struct EffectTable {
 
 template <class Effect>
 similitude_descriptor effect(const About& about) {
-  return describe_model<Effect>("effect", &EffectTable<Effect>::functions, about);
+  similitude_descriptor d = describe_model<Effect>("effect", &EffectTable<Effect>::functions, about);
+  d.create = &EffectTable<Effect>::create;
+  return d;
 }
 
 }  // namespace similitude

@@ -15,14 +15,20 @@
 ///   std::uint64_t state_size() const;                          numbers beyond the step's fields, for checkpoints; with
 ///   void save_state(double*) const;  void load_state(const double*);   [main]
 ///
+/// An exception out of needs refuses the solver, one out of the three of the state ends the run; its words are told to the user.
+///
 /// Solvers may link libsimilitude for index arithmetic on the grid (fluid/staggered.h) and for the pressure equation
 /// (fluid/multigrid_cg.h), or derive from what solvers with velocities on faces share (fluid/face_flow.h).
 
 #include <limits>
+#include <stdexcept>
 
 #include <similitude/plugin.h>
 
 namespace similitude {
+
+/// What state_size answers if the solver threw.
+inline constexpr std::uint64_t k_unknown_size = std::numeric_limits<std::uint64_t>::max();
 
 /// The boundary's functions for one solver type.
 template <class Solver>
@@ -50,6 +56,8 @@ struct FluidTable {
   static void advance(void* model, const similitude_gas_step* step, similitude_gas_report* report,
                       similitude_status* status) noexcept {
     guarded(status, -1, [&] {
+      if (static_cast<const Made<Solver>*>(model)->half_loaded)
+        throw std::runtime_error("load_state() failed, so that the gas would not go on as it was; what it threw stands above.");
       similitude_gas_report known{};
       known.struct_size = report->struct_size;
       model_of<Solver>(model).advance(as_known_here(step), known);
@@ -65,18 +73,35 @@ struct FluidTable {
       return std::numeric_limits<double>::infinity();
     }
   }
-  static std::uint64_t state_size(const void* model) {
-    if constexpr (has_state) return model_of<Solver>(model).state_size();
-    return 0;
+  /// What these three throw goes to the host's log. The host refuses the answer of the first two; after the third the next step does.
+  static std::uint64_t state_size(const void* model) noexcept {
+    std::uint64_t size = 0;
+    if constexpr (has_state) {
+      if (!told<Solver>(model, "state_size", [&] { size = model_of<Solver>(model).state_size(); })) return k_unknown_size;
+    }
+    return size;
   }
-  static void save_state(const void* model, double* out) {
-    if constexpr (has_state) model_of<Solver>(model).save_state(out);
+  static void save_state(const void* model, double* out) noexcept {
+    if constexpr (has_state) {
+      if (!told<Solver>(model, "save_state", [&] { model_of<Solver>(model).save_state(out); }) && out) *out = not_given;
+    }
   }
-  static void load_state(void* model, const double* in) {
-    if constexpr (has_state) model_of<Solver>(model).load_state(in);
+  static void load_state(void* model, const double* in) noexcept {
+    if constexpr (has_state) {
+      const bool loaded = told<Solver>(model, "load_state", [&] { model_of<Solver>(model).load_state(in); });
+      static_cast<Made<Solver>*>(model)->half_loaded = !loaded;
+    }
   }
 
-  static void needs(const void* model, similitude_fluid_needs* out) {
+  /// What `needs` asks the solver is asked once here, where a refusal still has words.
+  static void* create(const similitude_host* host, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
+                      similitude_status* status) noexcept {
+    return create_and_ask<Solver>(host, bed, values, sets, status, []([[maybe_unused]] const Solver& solver) {
+      if constexpr (has_needs) static_cast<void>(solver.needs());
+    });
+  }
+
+  static void needs(const void* model, similitude_fluid_needs* out) noexcept {
     if constexpr (has_needs) {
       similitude_fluid_needs n = model_of<Solver>(model).needs();
       n.struct_size = out->struct_size;
@@ -98,7 +123,9 @@ struct FluidTable {
 
 template <class Solver>
 similitude_descriptor fluid_solver(const About& about) {
-  return describe_model<Solver>("fluid", &FluidTable<Solver>::functions, about);
+  similitude_descriptor d = describe_model<Solver>("fluid", &FluidTable<Solver>::functions, about);
+  d.create = &FluidTable<Solver>::create;
+  return d;
 }
 
 }  // namespace similitude

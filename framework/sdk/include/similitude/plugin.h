@@ -45,6 +45,7 @@ template <class T>
 struct Made {
   std::vector<T> sets;
   const similitude_host* host;
+  bool half_loaded = false;   // load_state threw: it must not go on
 };
 
 template <class T>
@@ -81,19 +82,24 @@ void guarded(similitude_status* status, const std::int32_t& row, Work&& work) no
   }
 }
 
-/// The answer of a function that has no status. What the author throws goes to the host's log under the function's name,
-/// and the answer is not a number, which the host refuses.
+/// For functions that have no status: what the author throws goes to the host's log under the function's name. False: it threw.
 template <class T, class Work>
-double number_or_nan(const void* model, const char* function, Work&& work) noexcept {
-  double answer = not_given;
+bool told(const void* model, const char* function, Work&& work) noexcept {
   similitude_status status{};
-  guarded(&status, -1, [&] { answer = work(); });
-  if (status.code == 0) return answer;
+  guarded(&status, -1, work);
+  if (status.code == 0) return true;
   const similitude_host* host = static_cast<const Made<T>*>(model)->host;
   char words[sizeof status.text + 64];
   std::snprintf(words, sizeof words, "%s: %s", function, status.text);
   if (host && host->log) host->log(1, words);
-  return not_given;
+  return false;
+}
+
+/// The answer of such a function that throws is not a number, which the host refuses.
+template <class T, class Work>
+double number_or_nan(const void* model, const char* function, Work&& work) noexcept {
+  double answer = not_given;
+  return told<T>(model, function, [&] { answer = work(); }) ? answer : not_given;
 }
 
 template <class T>
@@ -113,7 +119,7 @@ void* create_sets(const similitude_host* host, const similitude_bed* bed, const 
   guarded(status, row, [&] {
     const Parameters<T>& parameters = parameters_of<T>();
     const Bed known = as_known_here(bed);
-    auto models = std::make_unique<Made<T>>(Made<T>{std::vector<T>(sets), host});
+    auto models = std::make_unique<Made<T>>(Made<T>{std::vector<T>(sets), host, false});
     for (T& model : models->sets) {
       ++row;
       parameters.read(values + static_cast<std::size_t>(row) * parameters.table().size(), model);
@@ -127,6 +133,27 @@ void* create_sets(const similitude_host* host, const similitude_bed* bed, const 
 template <class T>
 void destroy_sets(void* model) noexcept {
   delete static_cast<Made<T>*>(model);
+}
+
+/// Creates a model and asks each of its sets, once, what the host will ask by functions that have no status: here a refusal still has
+/// words.
+template <class T, class Ask>
+void* create_and_ask(const similitude_host* host, const similitude_bed* bed, const similitude_value* values, std::uint32_t sets,
+                     similitude_status* status, Ask&& ask) noexcept {
+  void* model = create_sets<T>(host, bed, values, sets, status);
+  if (!model) return nullptr;
+  std::int32_t row = -1;
+  similitude_status asked{};
+  guarded(&asked, row, [&] {
+    for (const T& one : sets_of<T>(model)) {
+      ++row;
+      ask(one);
+    }
+  });
+  if (asked.code == 0) return model;
+  if (status) *status = asked;
+  destroy_sets<T>(model);
+  return nullptr;
 }
 
 /// A descriptor of any kind. `functions` is the similitude_<kind>_functions and lives for ever.

@@ -63,6 +63,11 @@ struct ScalarHooks {
     if constexpr (requires(const Effect& e) { e.uses(quantity); }) return model_of<Effect>(model).uses(quantity) ? 1 : 0;
     return 1;
   }
+  static void ask_what_it_uses([[maybe_unused]] const Effect& effect) {
+    if constexpr (requires { effect.uses(0u); }) {
+      for (std::uint32_t q = 0; q < count; ++q) static_cast<void>(effect.uses(q));
+    }
+  }
   static void configure(void* model, const double* property, similitude_gas_scalar_law* laws, similitude_status* status) noexcept {
     guarded(status, -1, [&] {
       if constexpr (requires(Effect& e) { e.configure(property, laws); }) model_of<Effect>(model).configure(property, laws);
