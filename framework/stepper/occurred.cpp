@@ -80,7 +80,8 @@ std::vector<std::string> second_thoughts(const Models& models, const std::vector
     const auto then = std::ranges::find(before, now.id, &EffectVerdict::id);
     if (then == before.end()) continue;
     std::vector<std::string> list = others_of(now.id);
-    if (now.verdict == 1 && !now.chosen) {
+    const bool told_at_start = models.effects_auto && then->verdict == 1;   // auto takes what is called for, unless the solver cannot
+    if (now.verdict == 1 && !now.chosen && !told_at_start) {
       list.push_back(now.id);
       thoughts.push_back(fmt::format("{} was left out, but what occurred calls for it: {}. Before the run: {}. {}.", now.id, now.because,
                                      two_digits(then->value),

@@ -139,13 +139,16 @@ TEST(SecondThoughts, AdviceOnAutoNamesTheWholeList) {
   EffectVerdict heat{.id = "heat", .group = {}, .source = {}, .because = "dT = 0.01", .species = {}, .value = 0.3, .verdict = 0, .chosen = true};
   EffectVerdict lift{.id = "lift", .group = {}, .source = {}, .because = "L = 0.2", .species = {}, .value = 0.01, .verdict = 1};
   const std::vector<EffectVerdict> seen{heat, lift};
-  EXPECT_EQ(second_thoughts(models, seen, seen),
+  std::vector<EffectVerdict> before = seen;
+  EXPECT_EQ(second_thoughts(models, before, seen).size(), 1u);   // called for from the start: the solver could not use the lift
+  before[1].verdict = 0;
+  EXPECT_EQ(second_thoughts(models, before, seen),
             (std::vector<std::string>{"heat was in the run, but what occurred does not call for it: dT = 0.01. Before the run: 0.3. It may be left "
                                       "out: models.effects: [].",
                                       "lift was left out, but what occurred calls for it: L = 0.2. Before the run: 0.01. Write "
                                       "models.effects: [heat, lift]."}));
   models.effects_auto = false;
-  const std::vector<std::string> listed = second_thoughts(models, seen, seen);
+  const std::vector<std::string> listed = second_thoughts(models, before, seen);
   EXPECT_TRUE(listed[0].ends_with("It may be left out of models.effects."));
   EXPECT_TRUE(listed[1].ends_with("Add lift to models.effects."));
 }
