@@ -86,7 +86,7 @@ TEST(ManifestFile, HoldsTheRatiosOfTheLawAndOfTheMapBack) {
 }
 
 TEST(ManifestFile, HoldsTheResolvedCaseFileAsItIs) {
-  EXPECT_EQ(written(a_manifest(), R"({"similitude": 1, "time": {"end": "5 s"}})")["case"],
+  EXPECT_EQ(written(a_manifest(), {R"({"similitude": 1, "time": {"end": "5 s"}})", ""})["case"],
             (json{{"similitude", 1}, {"time", {{"end", "5 s"}}}}));
 }
 

@@ -72,7 +72,7 @@ enum {
   SIMILITUDE_SCALES_AS_FORCE = 8,          /* on what touches: as a simulated particle's weight, so a Bond number stays */
   SIMILITUDE_SCALES_AS_SURFACE_ENERGY = 9, /* force per particle-sized length */
   SIMILITUDE_SCALES_AS_ENERGY = 10,        /* force times particle-sized length */
-  SIMILITUDE_SCALES_AS_DIFFUSIVITY = 11,   /* diameter^2 / time: a particle's Fourier number stays */
+  SIMILITUDE_SCALES_AS_DIFFUSIVITY = 11,   /* drag diameter^2 / time: a particle's Fourier number stays */
   SIMILITUDE_SCALES_AS_RATE = 12,          /* 1 / time */
   SIMILITUDE_SCALES_REFUSED = 13           /* nothing is known: a scaled run with this model is an error */
 };
