@@ -122,12 +122,12 @@ class Resume(ResumeTest):
         self.assertAlmostEqual(sum(stage["share"] for stage in after["stages"]), 1, places=6)
 
     def test_a_signal_leaves_a_checkpoint(self):
-        for number, status in ((signal.SIGTERM, 143), (signal.SIGINT, 130)):
+        for out, number, status in (("terminated", signal.SIGTERM, 143), ("interrupted", signal.SIGINT, 130)):
             case = self.write(SMALL.replace("end: 10 ms", "end: 100 s"))
-            with subprocess.Popen([SIMILITUDE, "run", case, "-o", self.path("out"), "--force"], stdout=subprocess.PIPE,
+            with subprocess.Popen([SIMILITUDE, "run", case, "-o", self.path(out)], stdout=subprocess.PIPE,
                                   stderr=subprocess.DEVNULL, text=True, cwd=self.folder.name) as process:
                 deadline = time.monotonic() + 60
-                while not os.path.exists(self.path("out/monitors.csv")) and time.monotonic() < deadline:
+                while not os.path.exists(self.path(out + "/monitors.csv")) and time.monotonic() < deadline:
                     time.sleep(0.05)
                 time.sleep(0.5)
                 process.send_signal(number)
@@ -135,12 +135,12 @@ class Resume(ResumeTest):
                 process.send_signal(number)   # as timeout(1) does: to the program, then to its group
                 said, _ = process.communicate(timeout=HUNG)
                 self.assertEqual(process.returncode, status)
-            self.assertEqual(len(self.checkpoints("out")), 1)
-            self.assertIn(self.newest("out"), said)
-            reached = self.manifest("out")["simulated_s"]
+            self.assertEqual(len(self.checkpoints(out)), 1)
+            self.assertIn(self.newest(out), said)
+            reached = self.manifest(out)["simulated_s"]
             self.done("whole", SMALL.replace("end: 10 ms", "end: 100 s"), "--until", f"{reached + 2e-3} s", "--force")
-            self.done("out", SMALL.replace("end: 10 ms", "end: 100 s"), "--until", f"{reached + 2e-3} s", "--resume")
-            self.assert_same_results("whole", "out")
+            self.done(out, SMALL.replace("end: 10 ms", "end: 100 s"), "--until", f"{reached + 2e-3} s", "--resume")
+            self.assert_same_results("whole", out)
 
     def test_a_signal_while_the_bed_settles_leaves_nothing(self):
         case = self.write(SMALL.replace("{fill: lattice}", "{fill: settle, cache: false}").replace("count: 300", "count: 3000"))
