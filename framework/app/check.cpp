@@ -9,6 +9,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "loader/json_text.h"
 #include "loader/number_text.h"
 #include "particles/bed_file.h"
 #include "stepper/bed_numbers.h"
@@ -173,10 +174,7 @@ int check(const CheckArguments& arguments) {
   seen.bed = bed_numbers(seen.assembly.real);
   seen.steps = choose_time_steps(seen.assembly);
   for (const std::string& warning : case_file.warnings) std::cerr << "warning: " << warning << "\n";
-  for (const std::string& warning : seen.assembly.warnings) std::cerr << "warning: " << warning << "\n";
-  for (const std::string& warning : seen.steps.warnings) std::cerr << "warning: " << warning << "\n";
-  for (const std::string& warning : bed_warnings(seen.assembly)) std::cerr << "warning: " << warning << "\n";
-  for (const std::string& warning : idle_value_warnings(seen.assembly.real, plugins)) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& warning : warnings_of(seen.assembly, seen.steps, plugins)) std::cerr << "warning: " << warning << "\n";
   predict_with_threads(arguments.threads);
   seen.pipeline = pipeline_words(seen.assembly, seen.steps);
   seen.fields = field_uses(seen.assembly);
@@ -184,7 +182,7 @@ int check(const CheckArguments& arguments) {
   seen.effects = effect_verdicts(case_file.scene, seen.assembly, seen.steps, plugins);
   seen.cost = predict_cost(seen.assembly, seen.steps);
   if (arguments.json) {
-    std::cout << as_json(seen).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    std::cout << json_text(as_json(seen)) << "\n";
   } else {
     print(seen, std::cout);
   }

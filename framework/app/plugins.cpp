@@ -7,6 +7,7 @@
 #include "app/new_plugin.h"
 #include "doctor/examination.h"
 #include "loader/describe.h"
+#include "loader/json_text.h"
 
 namespace similitude::app {
 namespace {
@@ -26,7 +27,7 @@ int say(const std::string& text) {
 }
 
 int say(const nlohmann::json& page) {
-  std::cout << page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+  std::cout << json_text(page) << "\n";
   return 0;
 }
 

@@ -7,6 +7,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/text_table.h"
+#include "loader/json_text.h"
 #include "stepper/comparison.h"
 #include "stepper/prediction.h"
 
@@ -197,7 +198,7 @@ int scale(const ScaleArguments& arguments) {
   predict_with_threads(arguments.threads);
   const Comparison comparison = comparison_of(arguments, {arguments.case_file, arguments.overrides, plugins});
   if (arguments.json) {
-    std::cout << as_json(comparison).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    std::cout << json_text(as_json(comparison)) << "\n";
   } else if (arguments.markdown) {
     print_as_markdown(comparison, std::cout);
   } else {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "loader/json_text.h"
 
 namespace similitude::app {
 
@@ -12,7 +13,7 @@ void add_schema(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files, with every plugin's parameters.");
   command->callback([&action] {
     action = [] {
-      std::cout << case_schema(catalogue()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+      std::cout << json_text(case_schema(catalogue())) << "\n";
       return 0;
     };
   });

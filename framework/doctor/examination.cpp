@@ -12,6 +12,7 @@
 #include "doctor/child.h"
 #include "doctor/suites.h"
 #include "loader/catalogue.h"
+#include "loader/json_text.h"
 #include "loader/library.h"
 #include "loader/tag.h"
 
@@ -49,7 +50,7 @@ Outcome told(Work&& work) {
 }
 
 Outcome in_own_process(const std::function<Outcome()>& work, double limit) {
-  const ChildAnswer answer = in_child([&] { return as_json(told(work)).dump(-1, ' ', false, Json::error_handler_t::replace); }, limit);
+  const ChildAnswer answer = in_child([&] { return json_text(as_json(told(work)), -1); }, limit);
   if (!answer.lived) return fail(answer.text, answer.advice);
   return outcome_from(Json::parse(answer.text));
 }
@@ -103,7 +104,7 @@ Contents contents_of(const fs::path& file, double limit) {
           return ok(models);
         });
         page["outcome"] = as_json(outcome);
-        return page.dump(-1, ' ', false, Json::error_handler_t::replace);
+        return json_text(page, -1);
       },
       limit);
   if (!answer.lived) return {fail(answer.text, answer.advice + " It happens while the file is loaded, in its start-up code."), {}, {}};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loader/json_text.h"
 #include "output/whole_file.h"
 
 namespace similitude {
@@ -19,7 +20,7 @@ void write_audit(const OutputDirectory& directory, const std::string& law, const
                               {"scaled", number(group.scaled)},
                               {"ratio", number(group.ratio)},
                               {"kept", group.kept}});
-  write_whole_file(directory.file(k_audit_file), page.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_whole_file(directory.file(k_audit_file), json_text(page) + "\n");
 }
 
 }  // namespace similitude

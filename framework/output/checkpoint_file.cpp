@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
+#include "loader/json_text.h"
 #include "output/whole_file.h"
 
 namespace similitude {
@@ -398,8 +399,7 @@ void read_identity(const std::string& text, RunIdentity& run, RunState& state) {
 void write_checkpoint(const std::filesystem::path& path, const RunIdentity& run, const RunState& state) {
   Hdf5Writer file;
   file.attribute("/", "format", &k_checkpoint_format, {Type::u64, 1, 1});
-  // A path need not be UTF-8; JSON must.
-  file.text("/run", identity_json(run, state).dump(2, ' ', false, Json::error_handler_t::replace));
+  file.text("/run", json_text(identity_json(run, state)));
   Into into(file);
   transfer(into, state);
   write_whole_file(path, file.bytes());

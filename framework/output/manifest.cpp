@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "loader/json_text.h"
 #include "output/sha256.h"
 #include "output/whole_file.h"
 
@@ -144,8 +145,7 @@ void write_manifest(const OutputDirectory& directory, const Manifest& m, const C
   out["plugins"] = plugins_json(m.plugins);
   out["bed_sha256"] = identity.bed_sha256.empty() ? json(nullptr) : json(identity.bed_sha256);
   out["case"] = json::parse(identity.resolved_case);
-  // A path need not be UTF-8; a manifest must.
-  write_whole_file(directory.file("manifest.json"), out.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_whole_file(directory.file("manifest.json"), json_text(out) + "\n");
 }
 
 }  // namespace similitude

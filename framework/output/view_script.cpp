@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "loader/json_text.h"
 #include "output/whole_file.h"
 
 namespace similitude {
@@ -187,7 +188,7 @@ void write_view_script(const OutputDirectory& directory, const RealScene& real) 
   // JSON of numbers, strings and lists is Python as well.
   std::string text = k_script_head;
   const std::string folder = std::filesystem::absolute(directory.path()).lexically_normal().string();
-  text += "WRITTEN_IN = " + json(folder).dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+  text += "WRITTEN_IN = " + json_text(json(folder), -1) + "\n";
   text += "SIZE = " + json(real.size).dump() + "      # [m], the bed\n";
   text += "PLATES = " + plates.dump() + "   # [m]\n";
   write_whole_file(directory.file("view.py"), text + k_script_body);

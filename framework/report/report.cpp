@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "loader/json_text.h"
 #include "output/whole_file.h"
 #include "report/page_parts.h"
 #include "report/run_data.h"
@@ -60,7 +61,7 @@ std::string escaped(const std::string& text) {
 
 /// JSON inside a script element: no "</script>" may stand in it.
 std::string as_script(const json& data) {
-  std::string text = data.dump(-1, ' ', false, json::error_handler_t::replace), out;
+  std::string text = json_text(data, -1), out;
   for (const char c : text) {
     if (c == '<') out += "\\u003c";
     else out += c;

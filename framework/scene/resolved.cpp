@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loader/json_text.h"
 #include "scene/case_keys.h"
 #include "scene/material_pairs.h"
 #include "scene/units.h"
@@ -193,7 +194,7 @@ std::string resolved_case(const RealScene& scene, const std::vector<std::filesys
     Json& place = root["output"]["probes"][probe.name]["at"] = Json::array();
     for (const double x : probe.place) place.push_back(in(x, "m"));
   }
-  return root.dump(2, ' ', false, Json::error_handler_t::replace);   // a path need not be UTF-8; JSON must
+  return json_text(root);
 }
 
 }  // namespace similitude

@@ -12,6 +12,7 @@
 #include "scene/material_pairs.h"
 #include "scene/units.h"
 #include "stepper/bed.h"
+#include "stepper/bed_numbers.h"
 #include "stepper/checkpoints.h"
 #include "stepper/effect_price.h"
 #include "stepper/simulation.h"
@@ -182,6 +183,15 @@ std::vector<FieldUse> field_uses(const Assembly& assembly) {
   add_pair_fields(assembly, particles, fields);
   add_snapshots(assembly, particles, cells, fields);
   return fields;
+}
+
+std::vector<std::string> warnings_of(const Assembly& assembly, const TimeSteps& steps, const Catalogue& catalogue) {
+  std::vector<std::string> all;
+  for (const std::vector<std::string>& some :
+       {assembly.warnings, steps.warnings, bed_warnings(assembly), idle_value_warnings(assembly.real, catalogue)}) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
 }
 
 double bytes_per_particle(const std::vector<FieldUse>& fields, const Assembly& assembly) {

@@ -29,6 +29,8 @@ struct PairUse {
 std::int64_t expected_particles(const ModelScene& scene);
 std::vector<std::string> pipeline_words(const Assembly& assembly, const TimeSteps& steps);
 std::vector<FieldUse> field_uses(const Assembly& assembly);
+/// What is doubtful about a bed before its first step, in the order in which it is told.
+std::vector<std::string> warnings_of(const Assembly& assembly, const TimeSteps& steps, const Catalogue& catalogue);
 /// [bytes], of all fields but the cells'.
 double bytes_per_particle(const std::vector<FieldUse>& fields, const Assembly& assembly);
 /// Empty if one set of parameters holds for all contacts.

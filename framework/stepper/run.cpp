@@ -18,7 +18,6 @@
 #include "output/view_script.h"
 #include "particles/errors.h"
 #include "stepper/bed.h"
-#include "stepper/bed_numbers.h"
 #include "stepper/checkpoints.h"
 #include "stepper/comparison.h"
 #include "stepper/effects.h"
@@ -325,10 +324,7 @@ int run_case(const CaseFile& case_file, const Catalogue& catalogue, const RunOpt
   for (const std::string& warning : case_file.warnings) warn(warning);
   const Assembly assembly = assemble(case_file.scene, catalogue);
   const TimeSteps steps = choose_time_steps(assembly);
-  for (const std::string& warning : assembly.warnings) warn(warning);
-  for (const std::string& warning : steps.warnings) warn(warning);
-  for (const std::string& warning : bed_warnings(assembly)) warn(warning);
-  for (const std::string& warning : idle_value_warnings(assembly.real, catalogue)) warn(warning);
+  for (const std::string& warning : warnings_of(assembly, steps, catalogue)) warn(warning);
 
   const int threads = options.threads > 0 ? options.threads : omp_get_num_procs();
   omp_set_num_threads(threads);

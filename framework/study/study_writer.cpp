@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "loader/json_text.h"
 #include "output/csv.h"
 #include "output/whole_file.h"
 #include "stepper/version.h"
@@ -193,8 +194,7 @@ void write_csv(const StudyPlan& plan, const StudyResult& result, const std::file
 
 void write_study(const StudyPlan& plan, const StudyResult& result, const std::filesystem::path& folder) {
   write_csv(plan, result, folder);
-  write_whole_file(folder / "study.json",
-                   study_json(plan, result).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  write_whole_file(folder / "study.json", json_text(study_json(plan, result)) + "\n");
 }
 
 }  // namespace similitude
