@@ -19,8 +19,10 @@ ContactEffects::ContactEffects(const similitude_contact_needs& law, std::span<co
     : law_history_(law.history_count), law_couple_(law.couple != 0) {
   memory_.count = law.history_count;
   std::copy_n(law.history_parity, law.history_count, memory_.parity.begin());
+  bool flows = false;
   for (const EffectModel& effect : all) {
     const similitude_effect_needs needs = needs_of(effect);
+    flows = flows || (needs.adds & SIMILITUDE_ADDS_FLOW) != 0;
     if (!effect.functions().contacts || (needs.adds & SIMILITUDE_ADDS_FLOW_ALONE) != 0) continue;
     if (memory_.count + needs.history_count > k_most_history) {
       throw std::invalid_argument("a contact would have to remember more than " + std::to_string(k_most_history) + " values");
@@ -32,7 +34,6 @@ ContactEffects::ContactEffects(const similitude_contact_needs& law, std::span<co
     couple_ = couple_ || (needs.adds & SIMILITUDE_ADDS_COUPLE) != 0;
   }
   // What flows through contacts asks who touches, right after lists were made anew too: only what is remembered is carried over.
-  const bool flows = std::ranges::any_of(all, [](const EffectModel& effect) { return (needs_of(effect).adds & SIMILITUDE_ADDS_FLOW) != 0; });
   if (flows && memory_.count == 0) memory_.count = 1;
 }
 
