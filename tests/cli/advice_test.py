@@ -10,6 +10,9 @@ from command import SMALL, SOURCE, CommandTest
 STUDY = os.path.join(SOURCE, "configs", "studies", "drag.yaml")
 
 
+FROM_FILE = SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")   # of grains.csv
+
+
 class CommandLine(CommandTest):
     def says(self, text, *words):
         done = self.command(*words)
@@ -79,37 +82,33 @@ class Files(CommandTest):
 
     def test_a_column_in_millimetres(self):
         self.write("x [mm],y,z\n1,2,3\n", "grains.csv")
-        case = self.write(SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", ""))
+        case = self.write(FROM_FILE)
         done = self.command("run", case, "-o", "out")
         self.assertEqual(done.returncode, 2)
         self.assertIn('column "x [mm]" is read in [m] only.\n  Write x [m], or x alone, with values in metres.\n', done.stderr)
 
-
     def test_a_file_of_grains_and_a_law_of_fewer(self):
         self.write("x,y,z\n0.002,0.005,0.002\n0.004,0.005,0.002\n", "grains.csv")
-        small = SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
         for law in ("{id: link, n: 2}", "{id: parcel, n: 2}"):
-            case = self.write(small.replace("scaling: exact", f"scaling: {law}"))
+            case = self.write(FROM_FILE.replace("scaling: exact", f"scaling: {law}"))
             done = self.command("check", case)
             self.assertEqual((done.returncode, done.stderr),
                              (2, f"error: {case}:7:14: scene.bed.file: {law[5:].split(',')[0]} simulates grains 2 times as large over the bed's size, "
                                  "and so 1 in place of the file's 2; a file says nothing of where they lie.\n"
                                  "  Write bed: {fill: settle} with a count or a height, or use models.scaling: exact.\n"))
-        shrunk = self.write(small.replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
+        shrunk = self.write(FROM_FILE.replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
         self.assertEqual(self.command("check", shrunk).returncode, 0)
 
     def test_rows_of_other_densities_and_a_law_for_one(self):
         self.write("x,y,z,density\n0.002,0.005,0.002,1040\n0.004,0.005,0.002,2080\n", "grains.csv")
-        case = self.write(SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
-                          .replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
+        case = self.write(FROM_FILE.replace("scaling: exact", "scaling: {id: glicksman_full, geometry: 0.25}"))
         self.assertEqual(self.command("check", case).stderr,
                          f"error: {case}:7:14: scene.bed.file: its grains of alumina have densities from 1040 to 2080 kg/m^3, but the scaling law "
                          "glicksman_full is for one particle density.\n  Give all rows one density, or use models.scaling: exact.\n")
 
     def test_a_row_lighter_than_the_gas(self):
         self.write("x,y,z,density\n0.002,0.005,0.002,1040\n0.004,0.005,0.002,950\n", "grains.csv")
-        case = self.write(SMALL.replace("{fill: lattice}", "{fill: file, file: grains.csv}").replace(", count: 300", "")
-                          .replace("1.225 kg/m^3, viscosity: 1.79e-5", "1000 kg/m^3, viscosity: 1e-3").replace("fluid: vans", "fluid: vans\n  effects: []"))
+        case = self.write(FROM_FILE.replace("1.225 kg/m^3, viscosity: 1.79e-5", "1000 kg/m^3, viscosity: 1e-3").replace("fluid: vans", "fluid: vans\n  effects: []"))
         self.assertIn("the simulated particles alumina, of 950 kg/m^3, are lighter than the gas of 1000 kg/m^3:", self.command("check", case).stderr)
 
     def test_a_stiffness_for_a_law_without_a_spring(self):
@@ -143,7 +142,6 @@ class Obeyed(CommandTest):
     def test_no_cells_below_a_grain_are_advised(self):
         case = self.write(SMALL.replace("x: [7.5 mm, 12.5 mm]", "x: [7 mm, 12.5 mm]"))
         self.assertIn("\n  Use [5 mm, 12.5 mm] or [7.5 mm, 12.5 mm].\n", self.command("check", case, "--set", "scene.particles.alumina.diameter=2 mm").stderr)
-
 
     def test_one_friction_coefficient_in_fluent_dem(self):
         law = "models.contact={{id: fluent_dem, stiffness: 100 N/m, restitution: 0.74, mu_stick: 0.3, mu_glide: {}, v_glide: {} m/s}}"

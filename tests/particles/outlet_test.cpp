@@ -19,9 +19,15 @@ Patch patch(PatchKind kind, Face face, Interval x, Interval y, Interval z) {
 const Face k_top{Axis::z, Side::high};
 const Face k_bottom{Axis::z, Side::low};
 
-TEST(Outlets, LetParticlesLeaveAndCountThem) {
+/// A cube of 10 mm whose lid is an opening.
+ModelScene open_cube() {
   ModelScene scene = box(0.01, 0.01, 0.01);
   scene.patches.push_back(patch(PatchKind::pressure, k_top, {0, 0.01}, {0, 0.01}, {0.01, 0.01}));
+  return scene;
+}
+
+TEST(Outlets, LetParticlesLeaveAndCountThem) {
+  const ModelScene scene = open_cube();
   ParticleStore store;
   for (std::size_t n = 0; n < 5; ++n) {
     const std::size_t row = add_sphere(store, 0.001 + 0.002 * static_cast<double>(n), 0.005, 0.009);
@@ -43,8 +49,7 @@ TEST(Outlets, LetParticlesLeaveAndCountThem) {
 }
 
 TEST(Outlets, NobodyIsSeenOutsideAfterAnAdvance) {
-  ModelScene scene = box(0.01, 0.01, 0.01);
-  scene.patches.push_back(patch(PatchKind::pressure, k_top, {0, 0.01}, {0, 0.01}, {0.01, 0.01}));
+  const ModelScene scene = open_cube();
   ParticleStore store;
   add_sphere(store, 0.005, 0.005, 0.01 - 1e-5);
   store.velocity[0].z = 1;
@@ -60,8 +65,7 @@ TEST(Outlets, NobodyIsSeenOutsideAfterAnAdvance) {
 
 // Two that touch on the floor, and a third that leaves in the last sub-step: the lists are made anew after it.
 TEST(Outlets, ContactsAreCountedWhenSomebodyLeavesInTheLastSubStep) {
-  ModelScene scene = box(0.01, 0.01, 0.01);
-  scene.patches.push_back(patch(PatchKind::pressure, k_top, {0, 0.01}, {0, 0.01}, {0.01, 0.01}));
+  const ModelScene scene = open_cube();
   ParticleStore store;
   add_sphere(store, 0.005, 0.005, 0.01 - 1e-5);
   store.velocity[0].z = 1;
